@@ -19,9 +19,7 @@ namespace {
 
 core::Result<void> fillNew(Connection& connection, const DatabaseOptions& options) {
     auto done = connection.begin();
-    if (!done) {
-        return done;
-    }
+    CHIRON_TRY(done);
     const std::string uuid = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
     for (const auto& [key, value] : {std::pair<std::string, std::string>{"uuid", uuid},
                                      {"created_utc", core::utcNowIso8601()},

@@ -86,6 +86,33 @@
     </message>
 </context>
 <context>
+    <name>Advice</name>
+    <message>
+        <source>in trial %1</source>
+        <translation>in Durchgang %1</translation>
+    </message>
+    <message>
+        <source>in trial %1, %2 after it began</source>
+        <translation>in Durchgang %1, %2 nach dessen Beginn</translation>
+    </message>
+    <message>
+        <source>%1 after the start</source>
+        <translation>%1 nach dem Start</translation>
+    </message>
+    <message>
+        <source>at a depth of %1, %2</source>
+        <translation>in %1 Tiefe, %2</translation>
+    </message>
+    <message>
+        <source>It was worst %1: %2.</source>
+        <translation>Am schlechtesten war es %1: %2.</translation>
+    </message>
+    <message>
+        <source>It was worst %1.</source>
+        <translation>Am schlechtesten war es %1.</translation>
+    </message>
+</context>
+<context>
     <name>AnswerNote</name>
     <message>
         <source>Marked</source>
@@ -157,6 +184,14 @@
     <message>
         <source>Not counted: mark while you touch the sphere</source>
         <translation>Zählt nicht: Markieren Sie, während Sie die Kugel berühren</translation>
+    </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it</source>
+        <translation>Zu fest: Das Gewebe hat nachgegeben. Ziehen Sie zurück, bis Sie wieder draußen sind</translation>
+    </message>
+    <message>
+        <source>The tissue gave way</source>
+        <translation>Das Gewebe hat nachgegeben</translation>
     </message>
 </context>
 <context>
@@ -401,6 +436,70 @@
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
         <translation>Halten Sie die linke Taste oder G. Zum Öffnen halten Sie die Umschalttaste und die linke Taste oder H.</translation>
     </message>
+    <message>
+        <source>Take the handle and move it: the tool moves with it.</source>
+        <translation>Nehmen Sie den Griff und bewegen Sie ihn: Das Instrument bewegt sich mit.</translation>
+    </message>
+    <message>
+        <source>Push the handle in. To withdraw, pull it out.</source>
+        <translation>Schieben Sie den Griff hinein. Zum Zurückziehen ziehen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Turn and tilt the handle.</source>
+        <translation>Drehen und neigen Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Move the handle sideways.</source>
+        <translation>Bewegen Sie den Griff seitwärts.</translation>
+    </message>
+    <message>
+        <source>Lower the handle. To raise the instrument, raise the handle.</source>
+        <translation>Senken Sie den Griff. Zum Anheben des Instruments heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Close the grip of the handle. To open the jaw, open the grip.</source>
+        <translation>Schließen Sie den Griff. Zum Öffnen des Mauls öffnen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
+        <translation>Senken Sie den Griff, bis die Spitze berührt. Zum Anheben der Spitze heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while you touch the place.</source>
+        <translation>Drücken Sie den Knopf am Griff oder Enter, während Sie die Stelle berühren.</translation>
+    </message>
+    <message>
+        <source>Change the instrument</source>
+        <translation>Instrument wechseln</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press 1 for the right one, 2 for the left one.</source>
+        <translation>Sie bewegen jeweils ein Instrument. Drücken Sie 1 für das rechte, 2 für das linke.</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press its number, 1 to %1.</source>
+        <translation>Sie bewegen jeweils ein Instrument. Drücken Sie seine Nummer, 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it: the finger moves with it.</source>
+        <translation>Nehmen Sie den Griff und bewegen Sie ihn: Der Finger bewegt sich mit.</translation>
+    </message>
+    <message>
+        <source>Push the handle down. To raise the finger, raise the handle.</source>
+        <translation>Drücken Sie den Griff nach unten. Zum Anheben des Fingers heben Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter. When nothing is left to report, press D.</source>
+        <translation>Drücken Sie den Knopf am Griff oder Enter. Ist nichts mehr zu melden, drücken Sie D.</translation>
+    </message>
+    <message>
+        <source>Change hands</source>
+        <translation>Hand wechseln</translation>
+    </message>
+    <message>
+        <source>You move one hand at a time. Press H for the other one.</source>
+        <translation>Sie bewegen jeweils eine Hand. Drücken Sie H für die andere.</translation>
+    </message>
 </context>
 <context>
     <name>DesignFaults</name>
@@ -463,6 +562,18 @@
     <message>
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
         <translation>Ein Durchgang mit mehr als %1 N zählt nicht, deshalb muss diese Kraft kleiner sein.</translation>
+    </message>
+    <message>
+        <source>The maximum has to be above the minimum.</source>
+        <translation>Das Maximum muss über dem Minimum liegen.</translation>
+    </message>
+    <message>
+        <source>Give from %1 to %2 choices, one per line.</source>
+        <translation>Geben Sie %1 bis %2 Antworten an, eine je Zeile.</translation>
+    </message>
+    <message>
+        <source>Choose a value of at most %1.</source>
+        <translation>Wählen Sie einen Wert von höchstens %1.</translation>
     </message>
 </context>
 <context>
@@ -633,6 +744,33 @@ Einzelheiten: %2</translation>
     <message>
         <source>Close without a backup</source>
         <translation>Ohne Sicherung beenden</translation>
+    </message>
+</context>
+<context>
+    <name>FeltWords</name>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: Kraft gefühlt</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on the scene. Everything is recorded and appears in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Richten Sie sich nach der Szene. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Sie fühlen die Objekte durch das Gerät.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: the force is shown beside the scene.</source>
+        <translation>Dieses Gerät gibt keine Kraft wieder: Die Kraft wird neben der Szene gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -2006,10 +2144,6 @@ Einzelheiten: %2</translation>
         <translation>Trennschärfe, Untergrenze</translation>
     </message>
     <message>
-        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
-        <translation>Das untere Ende des 95-%-Intervalls der Trennschärfe. Unter 0 zeigt die Sitzung nicht, dass etwas gefühlt wurde.</translation>
-    </message>
-    <message>
         <source>Sensitivity, upper bound</source>
         <translation>Trennschärfe, Obergrenze</translation>
     </message>
@@ -2070,10 +2204,6 @@ Einzelheiten: %2</translation>
         <translation>Schwerstes durch Raten gefunden</translation>
     </message>
     <message>
-        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
-        <translation>Wie oft jemand, der nichts fühlt, das schwerste Objekt wählen würde. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
-    </message>
-    <message>
         <source>Localisation error by chance</source>
         <translation>Lagefehler durch Raten</translation>
     </message>
@@ -2094,16 +2224,8 @@ Einzelheiten: %2</translation>
         <translation>Scheitelfehler durch Raten</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
-        <translation>Der Scheitelfehler von jemandem, der nichts fühlt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
-    </message>
-    <message>
         <source>Size error by chance</source>
         <translation>Größenfehler durch Raten</translation>
-    </message>
-    <message>
-        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
-        <translation>Der Größenfehler von jemandem, der nichts fühlt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Hardness order</source>
@@ -2252,6 +2374,22 @@ Einzelheiten: %2</translation>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen, und ein Führungsring ist doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
+    </message>
+    <message>
+        <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Wie oft jemand, der nichts wahrnimmt, das schwerste Objekt wählen würde. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that any lump was perceived.</source>
+        <translation>Das untere Ende des 95-%-Intervalls der Trennschärfe. Unter 0 zeigt die Sitzung nicht, dass ein Knoten wahrgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who perceives nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Der Größenfehler von jemandem, der nichts wahrnimmt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Der Scheitelfehler von jemandem, der nichts wahrnimmt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
 </context>
 <context>
@@ -2638,16 +2776,8 @@ Einzelheiten: %2</translation>
 <context>
     <name>ParticipantSentences</name>
     <message>
-        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
-        <translation>In jedem Durchgang suchen Sie tastend den höchsten Punkt eines Objekts und markieren ihn.</translation>
-    </message>
-    <message>
         <source>In each trial you explore three objects and put them in order.</source>
         <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
-        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge; was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
     </message>
     <message>
         <source>In each trial you explore two objects and choose one of two answers.</source>
@@ -2660,10 +2790,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>In each trial you explore one object and choose one of two answers.</source>
         <translation>In jedem Durchgang erkunden Sie ein Objekt und wählen eine von zwei Antworten.</translation>
-    </message>
-    <message>
-        <source>In each trial you change one object until it feels like the other, and confirm.</source>
-        <translation>In jedem Durchgang verändern Sie ein Objekt, bis es sich wie das andere anfühlt, und bestätigen.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2807,10 +2933,6 @@ Einzelheiten: %2</translation>
             <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>During the trials you hear a steady noise.</source>
-        <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
-    </message>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
@@ -2828,6 +2950,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
         <translation>Berühren Sie jedes Objekt, bevor Sie antworten; ein Streifen genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+    </message>
+    <message>
+        <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
+        <translation>In jedem Durchgang suchen Sie mit der Spitze den höchsten Punkt eines Objekts und markieren ihn.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that seem the same as equal.</source>
+        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge; was Ihnen gleich vorkommt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it seems like the other, and confirm.</source>
+        <translation>In jedem Durchgang verändern Sie ein Objekt, bis es Ihnen wie das andere vorkommt, und bestätigen.</translation>
     </message>
 </context>
 <context>
@@ -4718,6 +4852,21 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>SittingSentences</name>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Ziehen Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N ziehen oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Drücken Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N drücken oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -5194,10 +5343,6 @@ Einzelheiten: %2</translation>
         <translation>Drücken Sie Y für Ja, N für Nein.</translation>
     </message>
     <message>
-        <source>Press + and − until both feel the same, then Enter.</source>
-        <translation>Drücken Sie + und −, bis sich beide gleich anfühlen, dann Enter.</translation>
-    </message>
-    <message>
         <source>Type a number, then press Enter.</source>
         <translation>Geben Sie eine Zahl ein und drücken Sie Enter.</translation>
     </message>
@@ -5222,20 +5367,24 @@ Einzelheiten: %2</translation>
         <translation>%1 Die Antworten können auch angeklickt werden.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
-        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
-        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring.</translation>
-    </message>
-    <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Drücken Sie die Nummer des Objekts: 1 oder 2.</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
         <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
+        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring und heben es dann.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
+        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring und heben sie dann.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both seem the same, then Enter.</source>
+        <translation>Drücken Sie + und −, bis Ihnen beide gleich vorkommen, dann Enter.</translation>
     </message>
 </context>
 <context>
@@ -6448,10 +6597,6 @@ Einzelheiten: %2</translation>
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Noise (log10 σ)</source>
-        <translation>Rauschen (log10 σ)</translation>
-    </message>
-    <message>
         <source>Slope</source>
         <translation>Steigung</translation>
     </message>
@@ -6536,10 +6681,6 @@ Einzelheiten: %2</translation>
         <translation>Größenschätzung</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order.</source>
-        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet.</translation>
-    </message>
-    <message>
         <source>Which of two objects has more of the attribute?</source>
         <translation>Bei welchem von zwei Objekten ist die Eigenschaft stärker?</translation>
     </message>
@@ -6614,14 +6755,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Is it %1 than the reference?</source>
         <translation>Ist es %1 als die Referenz?</translation>
-    </message>
-    <message>
-        <source>Change the right one until both feel the same.</source>
-        <translation>Verändern Sie das rechte, bis sich beide gleich anfühlen.</translation>
-    </message>
-    <message>
-        <source>Give a number to what you feel. Any positive number is allowed.</source>
-        <translation>Ordnen Sie dem, was Sie fühlen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
     </message>
     <message>
         <source>As listed</source>
@@ -6728,14 +6861,6 @@ Einzelheiten: %2</translation>
         <translation>Rangfolge von dreien, mit Gleichständen</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
-        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
-    </message>
-    <message>
-        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
-        <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>Zurückgenommen</translation>
     </message>
@@ -6754,6 +6879,38 @@ Einzelheiten: %2</translation>
     <message>
         <source>stiffer</source>
         <translation>steifer</translation>
+    </message>
+    <message>
+        <source>The design was changed since. Undo in the study takes back one step after another.</source>
+        <translation>Der Entwurf wurde seither geändert. „Rückgängig“ in der Studie nimmt einen Schritt nach dem anderen zurück.</translation>
+    </message>
+    <message>
+        <source>The study was left since, so this can no longer be undone.</source>
+        <translation>Die Studie wurde seither verlassen, deshalb lässt sich das nicht mehr rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order.</source>
+        <translation>Drei Objekte, die sich um gleiche Verhältnisse unterscheiden, werden geordnet.</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
+        <translation>Drei Objekte, die sich um gleiche Verhältnisse unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
+    </message>
+    <message>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that seem the same as equal.</source>
+        <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was Ihnen gleich vorkommt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>Change the right one until both seem the same.</source>
+        <translation>Verändern Sie das rechte, bis Ihnen beide gleich vorkommen.</translation>
+    </message>
+    <message>
+        <source>Give a number to what you perceive. Any positive number is allowed.</source>
+        <translation>Ordnen Sie dem, was Sie wahrnehmen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
     </message>
 </context>
 <context>
@@ -6898,12 +7055,24 @@ Einzelheiten: %2</translation>
         <translation>Vorführung (%1). %2: Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>%1: force shown, not felt</source>
-        <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
+        <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: mit dem Griff. Markieren: Knopf am Griff oder Enter. Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
-        <source>%1: force felt</source>
-        <translation>%1: Kraft gefühlt</translation>
+        <source>Move: with the handle. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: mit dem Griff. Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Move, press and lift: with the handle. Mark a finding: button of the handle or Enter.</source>
+        <translation>Bewegen, drücken und heben: mit dem Griff. Fund markieren: Knopf am Griff oder Enter.</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
+        <translation>Gewebe zwischen den Branchen drücken: Griff in der Luft öffnen, absenken, schließen.</translation>
+    </message>
+    <message>
+        <source>Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
 </context>
 <context>
@@ -7242,10 +7411,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>Wer betreut diesen Standort?</translation>
     </message>
     <message>
-        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
-        <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch selbst trainieren.</translation>
-    </message>
-    <message>
         <source>Login name</source>
         <translation>Anmeldename</translation>
     </message>
@@ -7280,6 +7445,10 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
         <translation>Erscheint bei der Anmeldung, auf Passwortzetteln und auf Berichten. Die Administration kann ihn in den Einstellungen ändern.</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator, who adds people, makes backups, and may also train, design studies and run them.</source>
+        <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch trainieren, Studien entwerfen und durchführen.</translation>
     </message>
 </context>
 <context>
@@ -8006,10 +8175,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Kurzname in Ausgaben</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another.</source>
-        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen.</translation>
-    </message>
-    <message>
         <source>Radius of the sphere</source>
         <translation>Radius der Kugel</translation>
     </message>
@@ -8052,6 +8217,18 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
         <translation>Was die Einstellungen nicht sagen, zum Beispiel „Ziehen Sie den Handschuh an.“ oder „Nehmen Sie die andere Hand.“ Lassen Sie das Feld leer, wenn nichts anders ist. Wer den Text liest, kann diese Bedingung von den anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The condition “%1” was removed.</source>
+        <translation>Die Bedingung „%1“ wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen. Er folgt dem englischen Titel, bis jemand einen anderen eingibt.</translation>
+    </message>
+    <message>
+        <source>The last procedure of this condition was removed.</source>
+        <translation>Das letzte Verfahren dieser Bedingung wurde entfernt.</translation>
     </message>
 </context>
 <context>
@@ -8356,6 +8533,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>Reply</source>
         <translation>Antworten</translation>
     </message>
+    <message>
+        <source>Practise it on level %1: %2</source>
+        <translation>Auf Stufe %1 üben: %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -8480,10 +8661,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>So groß, dass ihn jeder spürt.</translation>
     </message>
     <message>
-        <source>How many differences there are to choose from, in even steps.</source>
-        <translation>Wie viele Unterschiede zur Wahl stehen, in gleichmäßigen Schritten.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Unterschiede</translation>
     </message>
@@ -8498,6 +8675,18 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
+        <translation>Wie viele Unterschiede zur Wahl stehen. Jedes Objekt ist um denselben Faktor größer als das vorige.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. They are spaced geometrically: each is larger than the one before by about the same factor.</source>
+        <translation>Wie viele Unterschiede zur Wahl stehen. Sie sind geometrisch gestuft: Jeder ist um etwa denselben Faktor größer als der vorige.</translation>
+    </message>
+    <message>
+        <source>The smallest difference has to be below the largest. The table was not changed.</source>
+        <translation>Der kleinste Unterschied muss unter dem größten liegen. Die Tabelle wurde nicht geändert.</translation>
     </message>
 </context>
 <context>
@@ -9061,16 +9250,20 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <source>%1 to %2, usually %3.</source>
         <translation>%1 bis %2, meist %3.</translation>
     </message>
+    <message>
+        <source>A number is needed here. %1 is still set.</source>
+        <translation>Hier wird eine Zahl gebraucht. Es bleibt bei %1.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <translation>„%1“ wurde nicht übernommen: Jede Zahl muss von %2 bis %3 sein.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
     <message>
         <source>Findings</source>
         <translation>Funde</translation>
-    </message>
-    <message>
-        <source>None yet. Press where you feel something, then click or press Enter.</source>
-        <translation>Noch keine. Drücken Sie, wo Sie etwas fühlen; dann Klick oder Enter.</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -9107,6 +9300,10 @@ Press again to end the trial without it.</source>
         <translation>Es fehlt noch:
 %1
 Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translation>
+    </message>
+    <message>
+        <source>None yet. Press where the tissue is firmer, then mark the place (Enter).</source>
+        <translation>Noch keine. Drücken Sie, wo das Gewebe fester ist, und markieren Sie die Stelle (Enter).</translation>
     </message>
 </context>
 <context>
@@ -9898,10 +10095,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <translation>Verstrichen: %1</translation>
     </message>
     <message>
-        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
-        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -10212,6 +10405,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>Difference (%)</source>
         <translation>Unterschied (%)</translation>
+    </message>
+    <message>
+        <source>A row is empty. Type a number into it, or remove the row.</source>
+        <translation>Eine Zeile ist leer. Geben Sie eine Zahl ein, oder entfernen Sie die Zeile.</translation>
     </message>
 </context>
 <context>
@@ -10525,14 +10722,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
 %1</translation>
     </message>
     <message>
-        <source>A simple study</source>
-        <translation>Eine einfache Studie</translation>
-    </message>
-    <message>
-        <source>One condition: three objects are ranked by stiffness.</source>
-        <translation>Eine Bedingung: Drei Objekte werden nach Steifigkeit geordnet.</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -10597,6 +10786,14 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     <message>
         <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
         <translation>Eine andere Studie heißt ebenso, und in Listen wären beide nicht zu unterscheiden. Wählen Sie einen anderen Titel.</translation>
+    </message>
+    <message>
+        <source>A simple study: %1</source>
+        <translation>Eine einfache Studie: %1</translation>
+    </message>
+    <message>
+        <source>One condition, stiffness. %1</source>
+        <translation>Eine Bedingung, Steifigkeit. %1</translation>
     </message>
 </context>
 <context>
@@ -11179,10 +11376,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Punkt subjektiver Gleichheit</translation>
     </message>
     <message>
-        <source>Internal noise, log10</source>
-        <translation>Internes Rauschen, log10</translation>
-    </message>
-    <message>
         <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
         <translation>%1. %2. %3 gewertete Durchgänge, %4 wiederholt. %5</translation>
     </message>
@@ -11220,6 +11413,14 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
         <translation>Das Maskierungsgeräusch war in %1 von %2 Durchgängen nicht zu hören: Der Rechner hatte keine Tonausgabe.</translation>
+    </message>
+    <message>
+        <source>Internal noise</source>
+        <translation>Internes Rauschen</translation>
+    </message>
+    <message>
+        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <translation>Wie unterschiedlich sich ein und dasselbe Objekt von Mal zu Mal anfühlt (eine Standardabweichung).</translation>
     </message>
 </context>
 <context>
@@ -11758,6 +11959,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>Session %1 is still void; nothing was changed.</source>
         <translation>Sitzung %1 ist weiterhin ungültig; es wurde nichts geändert.</translation>
     </message>
+    <message>
+        <source>A cross in the scene shows where tissue gave way.</source>
+        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben hat.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -11865,14 +12070,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
     </message>
     <message>
-        <source>Paired: SD of the difference from person to person (log10)</source>
-        <translation>Gepaart: SD des Unterschieds von Person zu Person (log10)</translation>
-    </message>
-    <message>
-        <source>Two groups: SD between people (log10)</source>
-        <translation>Zwei Gruppen: SD zwischen Personen (log10)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Signifikanzniveau, zweiseitig</translation>
     </message>
@@ -11921,14 +12118,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Wie viele Personen verglichen werden.</translation>
     </message>
     <message>
-        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
-        <translation>Wie stark der Unterschied von Person zu Person streut: 0,05 entspricht dem Faktor 1,12.</translation>
-    </message>
-    <message>
-        <source>How much people vary: 0.15 is a factor of 1.41.</source>
-        <translation>Wie stark Personen streuen: 0,15 entspricht dem Faktor 1,41.</translation>
-    </message>
-    <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Wie oft ein Unterschied gefunden werden darf, wo keiner ist.</translation>
     </message>
@@ -11950,6 +12139,26 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
             <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
             <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>± one standard error</source>
+        <translation>± ein Standardfehler</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person</source>
+        <translation>Gepaart: SD des Unterschieds von Person zu Person</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people</source>
+        <translation>Zwei Gruppen: SD zwischen Personen</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 12 % is a factor of 1.12.</source>
+        <translation>Wie stark der Unterschied von Person zu Person streut: 12 % entsprechen dem Faktor 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 40 % is a factor of 1.4.</source>
+        <translation>Wie stark Personen streuen: 40 % entsprechen dem Faktor 1,4.</translation>
     </message>
 </context>
 <context>
@@ -12031,16 +12240,16 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Der größte Wert, der als möglich gilt.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
-        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte ungleichmäßig verteilt; eine Änderung macht sie gleichmäßig.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: Schritte</translation>
     </message>
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
+        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte unregelmäßig verteilt; eine Änderung verteilt sie regelmäßig.</translation>
     </message>
 </context>
 <context>
@@ -12587,6 +12796,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <source>after each condition, about that condition</source>
         <translation>nach jeder Bedingung, zu dieser Bedingung</translation>
     </message>
+    <message>
+        <source>The questionnaire “%1” was removed.</source>
+        <translation>Der Fragebogen „%1“ wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Question %1 was removed.</source>
+        <translation>Frage %1 wurde entfernt.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RankingBox</name>
@@ -12848,6 +13065,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>Not now</source>
         <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Arrow keys: read on</source>
+        <translation>Pfeiltasten: weiterlesen</translation>
+    </message>
+    <message>
+        <source>Space: read on</source>
+        <translation>Leertaste: weiterlesen</translation>
     </message>
 </context>
 <context>
@@ -13405,16 +13630,16 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Sieht die Sitzungen aller, kommentiert sie und erklärt sie für ungültig</translation>
     </message>
     <message>
-        <source>Sees sessions by code, without names</source>
-        <translation>Sieht Sitzungen mit Code, ohne Namen</translation>
-    </message>
-    <message>
-        <source>Manages people, storage and the station</source>
-        <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Rollen (mindestens eine)</translation>
+    </message>
+    <message>
+        <source>Designs studies and runs them with participants; sees sessions by code, without names</source>
+        <translation>Entwirft Studien und führt sie mit Teilnehmenden durch; sieht Sitzungen mit Code, ohne Namen</translation>
+    </message>
+    <message>
+        <source>Manages people, storage and the station; may also design and run studies</source>
+        <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz; darf auch Studien entwerfen und durchführen</translation>
     </message>
 </context>
 <context>
@@ -13649,10 +13874,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Maskierungsgeräusch</translation>
     </message>
     <message>
-        <source>A steady noise hides the sounds of the device.</source>
-        <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts.</translation>
-    </message>
-    <message>
         <source>Show the objects</source>
         <translation>Objekte zeigen</translation>
     </message>
@@ -13723,10 +13944,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>“%1” is not a whole number.</source>
-        <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
         <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
@@ -13811,6 +14028,14 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
         <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
+        <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts. Die Teilnehmenden erfahren davon, wo es zu hören ist.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von 0 bis %2 ein.</translation>
     </message>
 </context>
 <context>
@@ -14447,6 +14672,13 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
     <message>
         <source>Back to the login screen, where somebody else can log in</source>
         <translation>Zurück zur Anmeldung, wo sich jemand anderes anmelden kann</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SidePanel</name>
+    <message>
+        <source>Ctrl+Page Down: read on</source>
+        <translation>Strg+Bild ab: weiterlesen</translation>
     </message>
 </context>
 <context>
@@ -15949,6 +16181,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Click in the scene to work on</source>
         <translation>Klicken Sie in die Szene, um weiterzuarbeiten</translation>
     </message>
+    <message>
+        <source>Read on in the panel</source>
+        <translation>In der Leiste weiterlesen</translation>
+    </message>
+    <message>
+        <source>Read back in the panel</source>
+        <translation>In der Leiste zurücklesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go.</source>
+        <translation>
+            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
+            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -16206,10 +16453,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Diese Bedingung ist abgeschlossen.</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues at the same trial.</source>
-        <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht beim selben Durchgang weiter.</translation>
-    </message>
-    <message>
         <source>The session could not be run</source>
         <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
     </message>
@@ -16250,10 +16493,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Klicken Sie am höchsten Punkt oder drücken Sie dort Enter.</translation>
     </message>
     <message>
-        <source>Feel for the sphere first.</source>
-        <translation>Ertasten Sie zuerst die Kugel.</translation>
-    </message>
-    <message>
         <source>Force is stopped</source>
         <translation>Kraft ist gestoppt</translation>
     </message>
@@ -16286,40 +16525,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen. Ein Lauf wird nie mit einer anderen Fassung fortgesetzt, damit alle Durchgänge vergleichbar bleiben. Die bisherigen Antworten bleiben erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
     </message>
     <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
-
-In practice, Backspace takes an answer back.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
-
-F2 is for the experimenter.</source>
-        <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.
-
-Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.
-
-In der Übung nimmt die Rücktaste eine Antwort zurück.
-
-Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll. Alle beantworteten Durchgänge bleiben gespeichert; ein unterbrochener Lauf geht später beim selben Durchgang weiter.
-
-F2 ist für die Versuchsleitung.</translation>
-    </message>
-    <message>
         <source>This is how you explore and answer</source>
         <translation>So erkunden und antworten Sie</translation>
     </message>
     <message>
         <source>Where is the highest point?</source>
         <translation>Wo ist der höchste Punkt?</translation>
-    </message>
-    <message>
-        <source>You feel the objects through the device.</source>
-        <translation>Sie fühlen die Objekte durch das Gerät.</translation>
-    </message>
-    <message>
-        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
-        <translation>Dieses Gerät gibt keine Kraft wieder: Was eine Hand fühlen würde, wird neben der Szene gezeigt.</translation>
     </message>
     <message>
         <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
@@ -16413,16 +16624,8 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Berühren Sie zuerst: %1.</translation>
     </message>
     <message>
-        <source>Feel for the highest point, and mark it.</source>
-        <translation>Ertasten Sie den höchsten Punkt und markieren Sie ihn.</translation>
-    </message>
-    <message>
         <source>Pilot run</source>
         <translation>Probelauf</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
-        <translation>Zum Loslassen senken Sie das Instrument deutlich unter den Ring. Berühren Sie als Nächstes: %1.</translation>
     </message>
     <message>
         <source>The free minute is over</source>
@@ -16531,10 +16734,6 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Drücken Sie etwas fester auf %1: mindestens %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was felt with at least %1 N in time.</source>
-        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N gefühlt.</translation>
-    </message>
-    <message>
         <source>Not every object was touched in time.</source>
         <translation>Nicht jedes Objekt wurde rechtzeitig berührt.</translation>
     </message>
@@ -16545,10 +16744,6 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N gefühlt. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16605,6 +16800,90 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Apart from this, you explore and answer as in the part before.</source>
         <translation>Sonst erkunden und antworten Sie wie im Teil davor.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
+        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.</source>
+        <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
+    </message>
+    <message>
+        <source>In practice, Backspace takes an answer back.</source>
+        <translation>In der Übung nimmt die Rücktaste eine Antwort zurück.</translation>
+    </message>
+    <message>
+        <source>F2 is for the experimenter.</source>
+        <translation>F2 ist für die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>What was tried in a pilot run does not count as data of the study, and a stopped pilot run is not continued.</source>
+        <translation>Was in einem Probelauf ausprobiert wurde, gehört nicht zu den Daten der Studie, und ein angehaltener Probelauf wird nicht fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>Stop this pilot run?</source>
+        <translation>Diesen Probelauf anhalten?</translation>
+    </message>
+    <message>
+        <source>The pilot run reached its end.</source>
+        <translation>Der Probelauf ist bis zum Ende gelaufen.</translation>
+    </message>
+    <message>
+        <source>The session ended by itself before all trials were done, and nothing more was presented. Check the device before you go on.</source>
+        <translation>Die Sitzung endete von selbst, bevor alle Durchgänge erledigt waren, und es wurde nichts mehr dargeboten. Prüfen Sie das Gerät, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>%1. From now on every answer counts.</source>
+        <translation>%1. Ab jetzt zählt jede Antwort.</translation>
+    </message>
+    <message>
+        <source>You let go of the object. Raise the tool.</source>
+        <translation>Sie haben das Objekt losgelassen. Heben Sie das Instrument.</translation>
+    </message>
+    <message>
+        <source>You let go of %1. Raise the tool.</source>
+        <translation>Sie haben %1 losgelassen. Heben Sie das Instrument.</translation>
+    </message>
+    <message>
+        <source>You hold the object. Pull it up.</source>
+        <translation>Sie halten das Objekt. Ziehen Sie es nach oben.</translation>
+    </message>
+    <message>
+        <source>You hold %1. Pull it up.</source>
+        <translation>Sie halten %1. Ziehen Sie nach oben.</translation>
+    </message>
+    <message>
+        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Sie halten das Objekt. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
+        <translation>Sie halten %1. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>Touch next: %1.</source>
+        <translation>Berühren Sie als Nächstes: %1.</translation>
+    </message>
+    <message>
+        <source>Not every object was explored with at least %1 N in time.</source>
+        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N erkundet.</translation>
+    </message>
+    <message>
+        <source>Find the highest point, and mark it.</source>
+        <translation>Finden Sie den höchsten Punkt und markieren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Find the sphere first.</source>
+        <translation>Finden Sie zuerst die Kugel.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N erkundet. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
 </context>
 <context>

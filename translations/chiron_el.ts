@@ -86,6 +86,33 @@
     </message>
 </context>
 <context>
+    <name>Advice</name>
+    <message>
+        <source>in trial %1</source>
+        <translation>στη δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>in trial %1, %2 after it began</source>
+        <translation>στη δοκιμή %1, %2 μετά την έναρξή της</translation>
+    </message>
+    <message>
+        <source>%1 after the start</source>
+        <translation>%1 μετά την έναρξη</translation>
+    </message>
+    <message>
+        <source>at a depth of %1, %2</source>
+        <translation>σε βάθος %1, %2</translation>
+    </message>
+    <message>
+        <source>It was worst %1: %2.</source>
+        <translation>Το χειρότερο ήταν %1: %2.</translation>
+    </message>
+    <message>
+        <source>It was worst %1.</source>
+        <translation>Το χειρότερο ήταν %1.</translation>
+    </message>
+</context>
+<context>
     <name>AnswerNote</name>
     <message>
         <source>Marked</source>
@@ -157,6 +184,14 @@
     <message>
         <source>Not counted: mark while you touch the sphere</source>
         <translation>Δεν μετράει: σημειώστε ενώ αγγίζετε τη σφαίρα</translation>
+    </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it</source>
+        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν</translation>
+    </message>
+    <message>
+        <source>The tissue gave way</source>
+        <translation>Ο ιστός υποχώρησε</translation>
     </message>
 </context>
 <context>
@@ -401,6 +436,70 @@
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
         <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό πλήκτρο, ή το H.</translation>
     </message>
+    <message>
+        <source>Take the handle and move it: the tool moves with it.</source>
+        <translation>Πιάστε τη λαβή και μετακινήστε την: το εργαλείο κινείται μαζί της.</translation>
+    </message>
+    <message>
+        <source>Push the handle in. To withdraw, pull it out.</source>
+        <translation>Σπρώξτε τη λαβή προς τα μέσα. Για απόσυρση, τραβήξτε την προς τα έξω.</translation>
+    </message>
+    <message>
+        <source>Turn and tilt the handle.</source>
+        <translation>Στρέψτε και γείρετε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Move the handle sideways.</source>
+        <translation>Μετακινήστε τη λαβή στο πλάι.</translation>
+    </message>
+    <message>
+        <source>Lower the handle. To raise the instrument, raise the handle.</source>
+        <translation>Κατεβάστε τη λαβή. Για να σηκώσετε το εργαλείο, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Close the grip of the handle. To open the jaw, open the grip.</source>
+        <translation>Κλείστε τη λαβή. Για να ανοίξει η σιαγόνα, ανοίξτε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
+        <translation>Κατεβάστε τη λαβή μέχρι να ακουμπήσει η άκρη. Για να σηκώσετε την άκρη, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while you touch the place.</source>
+        <translation>Πατήστε το κουμπί της λαβής ή το Enter ενώ ακουμπάτε το σημείο.</translation>
+    </message>
+    <message>
+        <source>Change the instrument</source>
+        <translation>Αλλαγή εργαλείου</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press 1 for the right one, 2 for the left one.</source>
+        <translation>Κινείτε ένα εργαλείο τη φορά. Πατήστε 1 για το δεξί, 2 για το αριστερό.</translation>
+    </message>
+    <message>
+        <source>You move one instrument at a time. Press its number, 1 to %1.</source>
+        <translation>Κινείτε ένα εργαλείο τη φορά. Πατήστε τον αριθμό του, 1 έως %1.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it: the finger moves with it.</source>
+        <translation>Πιάστε τη λαβή και μετακινήστε την: το δάχτυλο κινείται μαζί της.</translation>
+    </message>
+    <message>
+        <source>Push the handle down. To raise the finger, raise the handle.</source>
+        <translation>Σπρώξτε τη λαβή προς τα κάτω. Για να σηκώσετε το δάχτυλο, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter. When nothing is left to report, press D.</source>
+        <translation>Πατήστε το κουμπί της λαβής ή το Enter. Όταν δεν υπάρχει τίποτα άλλο να αναφέρετε, πατήστε D.</translation>
+    </message>
+    <message>
+        <source>Change hands</source>
+        <translation>Αλλαγή χεριού</translation>
+    </message>
+    <message>
+        <source>You move one hand at a time. Press H for the other one.</source>
+        <translation>Κινείτε ένα χέρι τη φορά. Πατήστε H για το άλλο.</translation>
+    </message>
 </context>
 <context>
     <name>DesignFaults</name>
@@ -463,6 +562,18 @@
     <message>
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
         <translation>Μια δοκιμή με περισσότερα από %1 N δεν μετρά, οπότε αυτή η δύναμη πρέπει να είναι μικρότερη.</translation>
+    </message>
+    <message>
+        <source>The maximum has to be above the minimum.</source>
+        <translation>Το μέγιστο πρέπει να είναι πάνω από το ελάχιστο.</translation>
+    </message>
+    <message>
+        <source>Give from %1 to %2 choices, one per line.</source>
+        <translation>Δώστε από %1 έως %2 επιλογές, μία ανά γραμμή.</translation>
+    </message>
+    <message>
+        <source>Choose a value of at most %1.</source>
+        <translation>Επιλέξτε τιμή έως %1.</translation>
     </message>
 </context>
 <context>
@@ -633,6 +744,33 @@ Details: %2</source>
     <message>
         <source>Close without a backup</source>
         <translation>Κλείσιμο χωρίς αντίγραφο ασφαλείας</translation>
+    </message>
+</context>
+<context>
+    <name>FeltWords</name>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: αισθητή δύναμη</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: rely on the scene. Everything is recorded and appears in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: καθοδηγηθείτε από τη σκηνή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Νιώθετε τα αντικείμενα μέσω της συσκευής.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: the force is shown beside the scene.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: η δύναμη εμφανίζεται δίπλα στη σκηνή.</translation>
     </message>
 </context>
 <context>
@@ -2006,10 +2144,6 @@ Details: %2</source>
         <translation>Ευαισθησία, κάτω όριο</translation>
     </message>
     <message>
-        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
-        <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε κάτι αισθητό.</translation>
-    </message>
-    <message>
         <source>Sensitivity, upper bound</source>
         <translation>Ευαισθησία, άνω όριο</translation>
     </message>
@@ -2070,10 +2204,6 @@ Details: %2</source>
         <translation>Εύρεση του βαρύτερου στην τύχη</translation>
     </message>
     <message>
-        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
-        <translation>Πόσο συχνά θα επέλεγε το βαρύτερο αντικείμενο κάποιος που δεν αισθάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
-    </message>
-    <message>
         <source>Localisation error by chance</source>
         <translation>Σφάλμα εντοπισμού στην τύχη</translation>
     </message>
@@ -2094,16 +2224,8 @@ Details: %2</source>
         <translation>Σφάλμα κορυφής στην τύχη</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα κορυφής κάποιου που δεν αισθάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
-    </message>
-    <message>
         <source>Size error by chance</source>
         <translation>Σφάλμα μεγέθους στην τύχη</translation>
-    </message>
-    <message>
-        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα μεγέθους κάποιου που δεν αισθάνεται τίποτα και δηλώνει πάντα το μεσαίο μέγεθος. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Hardness order</source>
@@ -2252,6 +2374,22 @@ Details: %2</source>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται, και ο δακτύλιος που καθοδηγεί είναι διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
+    </message>
+    <message>
+        <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Πόσο συχνά θα επέλεγε το βαρύτερο αντικείμενο κάποιος που δεν αντιλαμβάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that any lump was perceived.</source>
+        <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε αντιληπτός κάποιος όζος.</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who perceives nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα μεγέθους κάποιου που δεν αντιλαμβάνεται τίποτα και δηλώνει πάντα το μεσαίο μέγεθος. Ένα σφάλμα μεγέθους που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα κορυφής κάποιου που δεν αντιλαμβάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
 </context>
 <context>
@@ -2638,16 +2776,8 @@ Details: %2</source>
 <context>
     <name>ParticipantSentences</name>
     <message>
-        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
-        <translation>Σε κάθε δοκιμή αναζητάτε με την αφή το ψηλότερο σημείο ενός αντικειμένου και το σημειώνετε.</translation>
-    </message>
-    <message>
         <source>In each trial you explore three objects and put them in order.</source>
         <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
-        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά· όσα νιώθετε ίδια μπορείτε να τα δηλώσετε ως ίσα.</translation>
     </message>
     <message>
         <source>In each trial you explore two objects and choose one of two answers.</source>
@@ -2660,10 +2790,6 @@ Details: %2</source>
     <message>
         <source>In each trial you explore one object and choose one of two answers.</source>
         <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και επιλέγετε μία από δύο απαντήσεις.</translation>
-    </message>
-    <message>
-        <source>In each trial you change one object until it feels like the other, and confirm.</source>
-        <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να το νιώθετε όπως το άλλο και επιβεβαιώνετε.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2807,10 +2933,6 @@ Details: %2</source>
             <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>During the trials you hear a steady noise.</source>
-        <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
-    </message>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
@@ -2828,6 +2950,18 @@ Details: %2</source>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
         <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε· ένα ελαφρύ άγγιγμα δεν αρκεί, και η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+    </message>
+    <message>
+        <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
+        <translation>Σε κάθε δοκιμή αναζητάτε με την άκρη το ψηλότερο σημείο ενός αντικειμένου και το σημειώνετε.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that seem the same as equal.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά· όσα σας μοιάζουν ίδια μπορείτε να τα δηλώσετε ως ίσα.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it seems like the other, and confirm.</source>
+        <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να σας μοιάζει με το άλλο και επιβεβαιώνετε.</translation>
     </message>
 </context>
 <context>
@@ -4718,6 +4852,21 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>SittingSentences</name>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Τραβάτε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία τραβάτε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
+        <translation>Πιέζετε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία πιέζετε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -5194,10 +5343,6 @@ Details: %2</source>
         <translation>Πατήστε Y για ναι, N για όχι.</translation>
     </message>
     <message>
-        <source>Press + and − until both feel the same, then Enter.</source>
-        <translation>Πατήστε + και − μέχρι να νιώθετε και τα δύο ίδια, και μετά Enter.</translation>
-    </message>
-    <message>
         <source>Type a number, then press Enter.</source>
         <translation>Πληκτρολογήστε έναν αριθμό και πατήστε Enter.</translation>
     </message>
@@ -5222,20 +5367,24 @@ Details: %2</source>
         <translation>%1 Μπορείτε επίσης να κάνετε κλικ στις απαντήσεις.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
-        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο.</translation>
-    </message>
-    <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Πατήστε τον αριθμό του αντικειμένου: 1 ή 2.</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
         <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
+        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο και μετά σηκώστε την.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both seem the same, then Enter.</source>
+        <translation>Πατήστε + και − μέχρι να σας μοιάζουν και τα δύο ίδια, και μετά Enter.</translation>
     </message>
 </context>
 <context>
@@ -6448,10 +6597,6 @@ Details: %2</source>
         <translation>Κατώφλι</translation>
     </message>
     <message>
-        <source>Noise (log10 σ)</source>
-        <translation>Θόρυβος (log10 σ)</translation>
-    </message>
-    <message>
         <source>Slope</source>
         <translation>Κλίση</translation>
     </message>
@@ -6536,10 +6681,6 @@ Details: %2</source>
         <translation>Εκτίμηση μεγέθους</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order.</source>
-        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά.</translation>
-    </message>
-    <message>
         <source>Which of two objects has more of the attribute?</source>
         <translation>Σε ποιο από δύο αντικείμενα είναι η ιδιότητα εντονότερη;</translation>
     </message>
@@ -6614,14 +6755,6 @@ Details: %2</source>
     <message>
         <source>Is it %1 than the reference?</source>
         <translation>Είναι %1 από την αναφορά;</translation>
-    </message>
-    <message>
-        <source>Change the right one until both feel the same.</source>
-        <translation>Αλλάξτε το δεξί ώσπου τα δύο να μοιάζουν ίδια στην αφή.</translation>
-    </message>
-    <message>
-        <source>Give a number to what you feel. Any positive number is allowed.</source>
-        <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
     </message>
     <message>
         <source>As listed</source>
@@ -6728,14 +6861,6 @@ Details: %2</source>
         <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
-        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
-    </message>
-    <message>
-        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
-        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>Αναιρέθηκε</translation>
     </message>
@@ -6754,6 +6879,38 @@ Details: %2</source>
     <message>
         <source>stiffer</source>
         <translation>πιο δύσκαμπτο</translation>
+    </message>
+    <message>
+        <source>The design was changed since. Undo in the study takes back one step after another.</source>
+        <translation>Το σχέδιο άλλαξε στο μεταξύ. Η «Αναίρεση» στη μελέτη αναιρεί τα βήματα ένα προς ένα.</translation>
+    </message>
+    <message>
+        <source>The study was left since, so this can no longer be undone.</source>
+        <translation>Στο μεταξύ φύγατε από τη μελέτη, γι&apos; αυτό η αναίρεση δεν είναι πλέον δυνατή.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσους λόγους μπαίνουν σε σειρά.</translation>
+    </message>
+    <message>
+        <source>Three objects that differ by equal ratios are put in order; those that feel the same may be marked as equal.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσους λόγους μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that seem the same as equal.</source>
+        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα σας μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Change the right one until both seem the same.</source>
+        <translation>Αλλάξτε το δεξί ώσπου τα δύο να σας μοιάζουν ίδια.</translation>
+    </message>
+    <message>
+        <source>Give a number to what you perceive. Any positive number is allowed.</source>
+        <translation>Δώστε έναν αριθμό σε αυτό που αντιλαμβάνεστε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
     </message>
 </context>
 <context>
@@ -6898,12 +7055,24 @@ Details: %2</source>
         <translation>Επίδειξη (%1). %2: μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>%1: force shown, not felt</source>
-        <translation>%1: μόνο προβολή δύναμης</translation>
+        <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: με τη λαβή. Σημείωση: κουμπί της λαβής ή Enter. Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
-        <source>%1: force felt</source>
-        <translation>%1: αισθητή δύναμη</translation>
+        <source>Move: with the handle. Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: με τη λαβή. Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Move, press and lift: with the handle. Mark a finding: button of the handle or Enter.</source>
+        <translation>Κίνηση, πίεση και ανύψωση: με τη λαβή. Σημείωση ευρήματος: κουμπί της λαβής ή Enter.</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
+        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
+    </message>
+    <message>
+        <source>Space: pause. Esc: stop force. F5: start again.</source>
+        <translation>Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
 </context>
 <context>
@@ -7242,10 +7411,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>Ποιος διαχειρίζεται αυτό το κέντρο;</translation>
     </message>
     <message>
-        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
-        <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται.</translation>
-    </message>
-    <message>
         <source>Login name</source>
         <translation>Όνομα χρήστη</translation>
     </message>
@@ -7280,6 +7445,10 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
         <translation>Εμφανίζεται στη σύνδεση, στα σημειώματα κωδικών και στις αναφορές. Οι διαχειριστές μπορούν να το αλλάξουν στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator, who adds people, makes backups, and may also train, design studies and run them.</source>
+        <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται, να σχεδιάζει μελέτες και να τις διεξάγει.</translation>
     </message>
 </context>
 <context>
@@ -8006,10 +8175,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Σύντομο όνομα στις εξαγωγές</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another.</source>
-        <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό.</translation>
-    </message>
-    <message>
         <source>Radius of the sphere</source>
         <translation>Ακτίνα της σφαίρας</translation>
     </message>
@@ -8052,6 +8217,18 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
         <translation>Ό,τι δεν λένε οι ρυθμίσεις, για παράδειγμα «Φορέστε το γάντι.» ή «Χρησιμοποιήστε το άλλο χέρι.» Αφήστε το κενό αν δεν αλλάζει τίποτα. Όποιος διαβάζει το κείμενο μπορεί να ξεχωρίσει αυτή τη συνθήκη από τις άλλες.</translation>
+    </message>
+    <message>
+        <source>The condition “%1” was removed.</source>
+        <translation>Η συνθήκη «%1» αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
+        <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό. Ακολουθεί τον αγγλικό τίτλο, ώσπου να πληκτρολογηθεί άλλο.</translation>
+    </message>
+    <message>
+        <source>The last procedure of this condition was removed.</source>
+        <translation>Η τελευταία διαδικασία αυτής της συνθήκης αφαιρέθηκε.</translation>
     </message>
 </context>
 <context>
@@ -8356,6 +8533,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>Reply</source>
         <translation>Απάντηση</translation>
     </message>
+    <message>
+        <source>Practise it on level %1: %2</source>
+        <translation>Εξάσκηση στο επίπεδο %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -8480,10 +8661,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Τόσο μεγάλη που την αισθάνονται όλοι.</translation>
     </message>
     <message>
-        <source>How many differences there are to choose from, in even steps.</source>
-        <translation>Πόσες διαφορές υπάρχουν προς επιλογή, σε ίσα βήματα.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Διαφορές</translation>
     </message>
@@ -8498,6 +8675,18 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
+        <translation>Πόσες διαφορές υπάρχουν προς επιλογή. Κάθε αντικείμενο είναι μεγαλύτερο από το προηγούμενο κατά τον ίδιο συντελεστή.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from. They are spaced geometrically: each is larger than the one before by about the same factor.</source>
+        <translation>Πόσες διαφορές υπάρχουν προς επιλογή. Κατανέμονται γεωμετρικά: καθεμία είναι μεγαλύτερη από την προηγούμενη κατά τον ίδιο περίπου συντελεστή.</translation>
+    </message>
+    <message>
+        <source>The smallest difference has to be below the largest. The table was not changed.</source>
+        <translation>Η μικρότερη διαφορά πρέπει να είναι κάτω από τη μεγαλύτερη. Ο πίνακας δεν άλλαξε.</translation>
     </message>
 </context>
 <context>
@@ -9061,16 +9250,20 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <source>%1 to %2, usually %3.</source>
         <translation>%1 έως %2, συνήθως %3.</translation>
     </message>
+    <message>
+        <source>A number is needed here. %1 is still set.</source>
+        <translation>Εδώ χρειάζεται αριθμός. Ισχύει ακόμη %1.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: κάθε αριθμός πρέπει να είναι από %2 έως %3.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
     <message>
         <source>Findings</source>
         <translation>Ευρήματα</translation>
-    </message>
-    <message>
-        <source>None yet. Press where you feel something, then click or press Enter.</source>
-        <translation>Κανένα ακόμη. Πιέστε όπου νιώθετε κάτι και κάντε κλικ ή πατήστε Enter.</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -9107,6 +9300,10 @@ Press again to end the trial without it.</source>
         <translation>Λείπουν ακόμη:
 %1
 Πατήστε ξανά για να τελειώσει η δοκιμή χωρίς αυτά.</translation>
+    </message>
+    <message>
+        <source>None yet. Press where the tissue is firmer, then mark the place (Enter).</source>
+        <translation>Κανένα ακόμη. Πιέστε όπου ο ιστός είναι πιο σκληρός και σημειώστε τη θέση (Enter).</translation>
     </message>
 </context>
 <context>
@@ -9898,10 +10095,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <translation>Χρόνος: %1</translation>
     </message>
     <message>
-        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
-        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Δύναμη</translation>
     </message>
@@ -10212,6 +10405,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>Difference (%)</source>
         <translation>Διαφορά (%)</translation>
+    </message>
+    <message>
+        <source>A row is empty. Type a number into it, or remove the row.</source>
+        <translation>Μια γραμμή είναι κενή. Πληκτρολογήστε αριθμό ή αφαιρέστε τη γραμμή.</translation>
     </message>
 </context>
 <context>
@@ -10525,14 +10722,6 @@ Forgot your password? An administrator can give you a new one. Administrators ca
 %1</translation>
     </message>
     <message>
-        <source>A simple study</source>
-        <translation>Μια απλή μελέτη</translation>
-    </message>
-    <message>
-        <source>One condition: three objects are ranked by stiffness.</source>
-        <translation>Μία συνθήκη: κατάταξη τριών αντικειμένων κατά δυσκαμψία.</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -10597,6 +10786,14 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <message>
         <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
         <translation>Μια άλλη μελέτη έχει αυτόν τον τίτλο και στις λίστες οι δύο δεν θα ξεχώριζαν. Επιλέξτε άλλον τίτλο.</translation>
+    </message>
+    <message>
+        <source>A simple study: %1</source>
+        <translation>Μια απλή μελέτη: %1</translation>
+    </message>
+    <message>
+        <source>One condition, stiffness. %1</source>
+        <translation>Μία συνθήκη, δυσκαμψία. %1</translation>
     </message>
 </context>
 <context>
@@ -11179,10 +11376,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Σημείο υποκειμενικής ισότητας</translation>
     </message>
     <message>
-        <source>Internal noise, log10</source>
-        <translation>Εσωτερικός θόρυβος, log10</translation>
-    </message>
-    <message>
         <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
         <translation>%1. %2. %3 βαθμολογημένες δοκιμές, %4 επαναλήφθηκαν. %5</translation>
     </message>
@@ -11220,6 +11413,14 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
         <translation>Ο ήχος κάλυψης δεν ακούστηκε σε %1 από %2 δοκιμές: ο υπολογιστής δεν είχε έξοδο ήχου.</translation>
+    </message>
+    <message>
+        <source>Internal noise</source>
+        <translation>Εσωτερικός θόρυβος</translation>
+    </message>
+    <message>
+        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <translation>Πόσο διαφορετικό γίνεται αισθητό το ίδιο αντικείμενο από φορά σε φορά (μία τυπική απόκλιση).</translation>
     </message>
 </context>
 <context>
@@ -11758,6 +11959,10 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>Session %1 is still void; nothing was changed.</source>
         <translation>Η συνεδρία %1 παραμένει ακυρωμένη· δεν άλλαξε τίποτα.</translation>
     </message>
+    <message>
+        <source>A cross in the scene shows where tissue gave way.</source>
+        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -11865,14 +12070,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Συμμετέχοντες (σε δύο ομάδες: ανά ομάδα)</translation>
     </message>
     <message>
-        <source>Paired: SD of the difference from person to person (log10)</source>
-        <translation>Ζευγαρωτά: τυπική απόκλιση της διαφοράς ανά άτομο (log10)</translation>
-    </message>
-    <message>
-        <source>Two groups: SD between people (log10)</source>
-        <translation>Δύο ομάδες: τυπική απόκλιση μεταξύ ατόμων (log10)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Επίπεδο σημαντικότητας, δίπλευρο</translation>
     </message>
@@ -11921,14 +12118,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Πόσα άτομα συγκρίνονται.</translation>
     </message>
     <message>
-        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
-        <translation>Πόσο μεταβάλλεται η διαφορά από άτομο σε άτομο: 0,05 είναι συντελεστής 1,12.</translation>
-    </message>
-    <message>
-        <source>How much people vary: 0.15 is a factor of 1.41.</source>
-        <translation>Πόσο διαφέρουν τα άτομα: 0,15 είναι συντελεστής 1,41.</translation>
-    </message>
-    <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Πόσο συχνά επιτρέπεται να βρεθεί διαφορά εκεί που δεν υπάρχει.</translation>
     </message>
@@ -11950,6 +12139,26 @@ Choose a second session to see it beside this one: each of its trials starts tog
             <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
             <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>± one standard error</source>
+        <translation>± ένα τυπικό σφάλμα</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person</source>
+        <translation>Ζευγαρωτά: τυπική απόκλιση της διαφοράς ανά άτομο</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people</source>
+        <translation>Δύο ομάδες: τυπική απόκλιση μεταξύ ατόμων</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 12 % is a factor of 1.12.</source>
+        <translation>Πόσο μεταβάλλεται η διαφορά από άτομο σε άτομο: το 12 % είναι συντελεστής 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 40 % is a factor of 1.4.</source>
+        <translation>Πόσο διαφέρουν τα άτομα: το 40 % είναι συντελεστής 1,4.</translation>
     </message>
 </context>
 <context>
@@ -12031,16 +12240,16 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Η μεγαλύτερη τιμή που θεωρείται πιθανή.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
-        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές άνισα· μια αλλαγή τις κάνει ισαπέχουσες.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: βήματα</translation>
     </message>
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
+        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές ακανόνιστα· μια αλλαγή τις κατανέμει κανονικά.</translation>
     </message>
 </context>
 <context>
@@ -12587,6 +12796,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>after each condition, about that condition</source>
         <translation>μετά από κάθε συνθήκη, για τη συνθήκη αυτή</translation>
     </message>
+    <message>
+        <source>The questionnaire “%1” was removed.</source>
+        <translation>Το ερωτηματολόγιο «%1» αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>Question %1 was removed.</source>
+        <translation>Η ερώτηση %1 αφαιρέθηκε.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RankingBox</name>
@@ -12848,6 +13065,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Not now</source>
         <translation>Όχι τώρα</translation>
+    </message>
+    <message>
+        <source>Arrow keys: read on</source>
+        <translation>Βέλη: συνέχεια ανάγνωσης</translation>
+    </message>
+    <message>
+        <source>Space: read on</source>
+        <translation>Διάστημα: συνέχεια ανάγνωσης</translation>
     </message>
 </context>
 <context>
@@ -13405,16 +13630,16 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Βλέπει τις συνεδρίες όλων, τις σχολιάζει και τις ακυρώνει</translation>
     </message>
     <message>
-        <source>Sees sessions by code, without names</source>
-        <translation>Βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
-    </message>
-    <message>
-        <source>Manages people, storage and the station</source>
-        <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Ρόλοι (τουλάχιστον ένας)</translation>
+    </message>
+    <message>
+        <source>Designs studies and runs them with participants; sees sessions by code, without names</source>
+        <translation>Σχεδιάζει μελέτες και τις διεξάγει με συμμετέχοντες· βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
+    </message>
+    <message>
+        <source>Manages people, storage and the station; may also design and run studies</source>
+        <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό· μπορεί και να σχεδιάζει και να διεξάγει μελέτες</translation>
     </message>
 </context>
 <context>
@@ -13649,10 +13874,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Ήχος κάλυψης</translation>
     </message>
     <message>
-        <source>A steady noise hides the sounds of the device.</source>
-        <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής.</translation>
-    </message>
-    <message>
         <source>Show the objects</source>
         <translation>Εμφάνιση αντικειμένων</translation>
     </message>
@@ -13723,10 +13944,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>Seed</source>
         <translation>Σπόρος</translation>
-    </message>
-    <message>
-        <source>“%1” is not a whole number.</source>
-        <translation>Το «%1» δεν είναι ακέραιος αριθμός.</translation>
     </message>
     <message>
         <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
@@ -13811,6 +14028,14 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
         <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
+        <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής. Οι συμμετέχοντες ενημερώνονται όπου ακούγεται.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από 0 έως %2.</translation>
     </message>
 </context>
 <context>
@@ -14447,6 +14672,13 @@ Administrators also give the site its name here.</source>
     <message>
         <source>Back to the login screen, where somebody else can log in</source>
         <translation>Πίσω στην οθόνη σύνδεσης, όπου μπορεί να συνδεθεί κάποιος άλλος</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SidePanel</name>
+    <message>
+        <source>Ctrl+Page Down: read on</source>
+        <translation>Ctrl+Page Down: συνέχεια ανάγνωσης</translation>
     </message>
 </context>
 <context>
@@ -15949,6 +16181,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Click in the scene to work on</source>
         <translation>Κάντε κλικ στη σκηνή για να συνεχίσετε</translation>
     </message>
+    <message>
+        <source>Read on in the panel</source>
+        <translation>Συνέχεια ανάγνωσης στον πίνακα</translation>
+    </message>
+    <message>
+        <source>Read back in the panel</source>
+        <translation>Επιστροφή στην ανάγνωση του πίνακα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go.</source>
+        <translation>
+            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
+            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -16206,10 +16453,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η συνθήκη ολοκληρώθηκε.</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues at the same trial.</source>
-        <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται από την ίδια δοκιμή.</translation>
-    </message>
-    <message>
         <source>The session could not be run</source>
         <translation>Η συνεδρία δεν εκτελέστηκε</translation>
     </message>
@@ -16250,10 +16493,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Κάντε κλικ ή πατήστε Enter στο ψηλότερο σημείο.</translation>
     </message>
     <message>
-        <source>Feel for the sphere first.</source>
-        <translation>Ψηλαφήστε πρώτα τη σφαίρα.</translation>
-    </message>
-    <message>
         <source>Force is stopped</source>
         <translation>Η δύναμη σταμάτησε</translation>
     </message>
@@ -16286,40 +16525,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της. Μια εκτέλεση δεν συνεχίζεται ποτέ με άλλη έκδοση, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Οι ως τώρα απαντήσεις διατηρούνται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
     </message>
     <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
-
-In practice, Backspace takes an answer back.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
-
-F2 is for the experimenter.</source>
-        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
-
-Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.
-
-Στην εξάσκηση, το Backspace αναιρεί μια απάντηση.
-
-Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία. Όλες οι απαντημένες δοκιμές διατηρούνται· μια διακομμένη εκτέλεση συνεχίζεται αργότερα στην ίδια δοκιμή.
-
-Το F2 είναι για τον πειραματιστή.</translation>
-    </message>
-    <message>
         <source>This is how you explore and answer</source>
         <translation>Έτσι εξερευνάτε και απαντάτε</translation>
     </message>
     <message>
         <source>Where is the highest point?</source>
         <translation>Πού είναι το υψηλότερο σημείο;</translation>
-    </message>
-    <message>
-        <source>You feel the objects through the device.</source>
-        <translation>Νιώθετε τα αντικείμενα μέσω της συσκευής.</translation>
-    </message>
-    <message>
-        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
-        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: ό,τι θα ένιωθε ένα χέρι εμφανίζεται δίπλα στη σκηνή.</translation>
     </message>
     <message>
         <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
@@ -16413,16 +16624,8 @@ F2 is for the experimenter.</source>
         <translation>Αγγίξτε πρώτα: %1.</translation>
     </message>
     <message>
-        <source>Feel for the highest point, and mark it.</source>
-        <translation>Ψηλαφήστε για το υψηλότερο σημείο και σημειώστε το.</translation>
-    </message>
-    <message>
         <source>Pilot run</source>
         <translation>Πιλοτική δοκιμή</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
-        <translation>Για να αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο. Αγγίξτε μετά: %1.</translation>
     </message>
     <message>
         <source>The free minute is over</source>
@@ -16531,10 +16734,6 @@ F2 is for the experimenter.</source>
         <translation>Πιέστε λίγο πιο δυνατά το %1: τουλάχιστον %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was felt with at least %1 N in time.</source>
-        <translation>Δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N.</translation>
-    </message>
-    <message>
         <source>Not every object was touched in time.</source>
         <translation>Δεν αγγίξατε εγκαίρως όλα τα αντικείμενα.</translation>
     </message>
@@ -16545,10 +16744,6 @@ F2 is for the experimenter.</source>
     <message>
         <source>From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Αρκετές φορές στη σειρά δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16605,6 +16800,90 @@ F2 is for the experimenter.</source>
     <message>
         <source>Apart from this, you explore and answer as in the part before.</source>
         <translation>Κατά τα άλλα εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
+        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.</source>
+        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.</translation>
+    </message>
+    <message>
+        <source>In practice, Backspace takes an answer back.</source>
+        <translation>Στην εξάσκηση, το Backspace αναιρεί μια απάντηση.</translation>
+    </message>
+    <message>
+        <source>F2 is for the experimenter.</source>
+        <translation>Το F2 είναι για τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>What was tried in a pilot run does not count as data of the study, and a stopped pilot run is not continued.</source>
+        <translation>Όσα δοκιμάστηκαν σε πιλοτική δοκιμή δεν ανήκουν στα δεδομένα της μελέτης, και μια πιλοτική δοκιμή που διακόπηκε δεν συνεχίζεται.</translation>
+    </message>
+    <message>
+        <source>Stop this pilot run?</source>
+        <translation>Διακοπή της πιλοτικής δοκιμής;</translation>
+    </message>
+    <message>
+        <source>The pilot run reached its end.</source>
+        <translation>Η πιλοτική δοκιμή έφτασε στο τέλος της.</translation>
+    </message>
+    <message>
+        <source>The session ended by itself before all trials were done, and nothing more was presented. Check the device before you go on.</source>
+        <translation>Η συνεδρία τελείωσε από μόνη της πριν γίνουν όλες οι δοκιμές, και δεν παρουσιάστηκε τίποτε άλλο. Ελέγξτε τη συσκευή πριν συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>%1. From now on every answer counts.</source>
+        <translation>%1. Από εδώ και πέρα μετράει κάθε απάντηση.</translation>
+    </message>
+    <message>
+        <source>You let go of the object. Raise the tool.</source>
+        <translation>Αφήσατε το αντικείμενο. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>You let go of %1. Raise the tool.</source>
+        <translation>Αφήσατε το %1. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>You hold the object. Pull it up.</source>
+        <translation>Κρατάτε το αντικείμενο. Τραβήξτε το προς τα πάνω.</translation>
+    </message>
+    <message>
+        <source>You hold %1. Pull it up.</source>
+        <translation>Κρατάτε το %1. Τραβήξτε το προς τα πάνω.</translation>
+    </message>
+    <message>
+        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Κρατάτε το αντικείμενο. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
+        <translation>Κρατάτε το %1. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιό του και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>Touch next: %1.</source>
+        <translation>Αγγίξτε μετά: %1.</translation>
+    </message>
+    <message>
+        <source>Not every object was explored with at least %1 N in time.</source>
+        <translation>Δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>Find the highest point, and mark it.</source>
+        <translation>Βρείτε το υψηλότερο σημείο και σημειώστε το.</translation>
+    </message>
+    <message>
+        <source>Find the sphere first.</source>
+        <translation>Βρείτε πρώτα τη σφαίρα.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Αρκετές φορές στη σειρά δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
 </context>
 <context>

@@ -836,6 +836,13 @@
             <numerusform>%n trials. The clock starts when you press Continue.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go.</source>
+        <translation>
+            <numerusform>%n trial. The clock starts when you press Go.</numerusform>
+            <numerusform>%n trials. The clock starts when you press Go.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TrialsScreen</name>

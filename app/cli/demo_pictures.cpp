@@ -100,8 +100,7 @@ core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& datab
     CHIRON_TRY(connection);
     database::StudyReader reader(**connection, *author);
     const QString file = QDir(folder).filePath(QStringLiteral("study_%1.pdf").arg(study.study));
-    if (auto written = session_report::writeStudyReport(file, reader, study.study, theme); !written)
-        return written;
+    CHIRON_TRY(session_report::writeStudyReport(file, reader, study.study, theme));
     drawn.reports.push_back(file);
     return {};
 }

@@ -162,6 +162,9 @@ QJsonArray yieldsOf(const QJsonArray& events) {
                              {"time_s", event["time_s"]}};
             if (!event["gave_way_to"].isUndefined())
                 json.insert("gave_way_to", event["gave_way_to"]);
+            // Sessions of earlier versions do not say where.
+            if (const QJsonValue place = event["detail"]["position_m"]; place.isArray())
+                json.insert("position_m", place);
             yields.append(json);
         }
     return yields;
@@ -180,6 +183,11 @@ QString yieldsText(const QJsonArray& yields) {
                          .arg(cause["quantity"].toString(),
                               report::formatNumber(cause["value"].toDouble(), QLocale::c()),
                               cause["unit"].toString());
+        if (const QJsonArray place = yield["position_m"].toArray(); place.size() == 3)
+            lines += QStringLiteral(", tip at x %1, y %2, z %3 mm")
+                         .arg(1e3 * place[0].toDouble(), 0, 'f', 1)
+                         .arg(1e3 * place[1].toDouble(), 0, 'f', 1)
+                         .arg(1e3 * place[2].toDouble(), 0, 'f', 1);
         lines += QLatin1Char('\n');
     }
     return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;

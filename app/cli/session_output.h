@@ -23,8 +23,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
 core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
                                     const database::SessionRecord& record);
 
-/// The events of tissue that gave way: [{trial, tool, time_s, gave_way_to}]. Trials count from 1, tools from
-/// 0.
+/// The events of tissue that gave way: [{trial, tool, time_s, gave_way_to, position_m}], the position of the
+/// tool's tip in W where it is stored. Trials count from 1, tools from 0.
 QJsonArray yieldsOf(const QJsonArray& events);
 /// The same as text, one line per event, with tools counted from 1; empty if nothing gave way.
 QString yieldsText(const QJsonArray& yields);

@@ -10,6 +10,7 @@
 #include "desktop/training/found_answer.h"
 #include "desktop/training/live_part.h"
 #include "scoring/trace.h"
+#include "session/level_limits.h"
 #include "session/live_sample.h"
 #include "session/session_setup.h"
 #include "session/trial_surfaces.h"
@@ -50,6 +51,10 @@ public:
     /// Facts about a level to read before starting it, one per line; empty if the level's objective says
     /// everything.
     virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
+
+    /// The limits of the exercise's own metrics (LevelLimits::others) in words, one sentence each without a
+    /// full stop, in the context of GateTexts.
+    virtual QStringList limitWords(const session::LevelLimits&, const QLocale&) const { return {}; }
 
     /// The depth of field of the instrument's camera; empty if the instrument has none.
     virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const {

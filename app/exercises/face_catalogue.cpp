@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exercises that the screens show, one line each.
-#include "app/exercises/comparison/desktop/comparison_face.h"
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
 #include "app/exercises/palpation/desktop/palpation_face.h"
 #include "app/exercises/sphere_apex/desktop/sphere_apex_face.h"
 #include "app/exercises/urethra_insertion/desktop/urethra_insertion_face.h"
 #include "desktop/exercise_face.h"
+#include "desktop/study_run/comparison_face.h"
 
 #include <array>
 #include <string>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exercises that are drawn flat, one line each.
-#include "app/exercises/comparison/scene/flat_comparison.h"
 #include "app/exercises/elastic_tube/scene/flat_tube.h"
 #include "app/exercises/object_handling/scene/flat_handling.h"
 #include "app/exercises/palpation/scene/flat_palpation.h"
 #include "app/exercises/sphere_apex/scene/flat_apex.h"
 #include "app/exercises/urethra_insertion/scene/flat_urethra.h"
+#include "desktop/scene2d/flat_comparison.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <array>
 

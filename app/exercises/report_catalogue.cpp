@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exercise-specific words and sections of reports and playback, one line per exercise.
-#include "app/exercises/comparison/session_report/comparison_words.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "app/exercises/palpation/session_report/finger_words.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
 #include "app/exercises/sphere_apex/session_report/apex_errors.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
+#include "session_report/comparison_words.h"
 #include "session_report/exercise_section.h"
 #include "session_report/exercise_words.h"
 #include "session_report/tool_words.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exercises that can be run, one line each.
-#include "app/exercises/comparison/session/comparison_kind.h"
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 #include "app/exercises/object_handling/session/object_handling_kind.h"
 #include "app/exercises/palpation/session/palpation_kind.h"
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 #include "app/exercises/urethra_insertion/session/urethra_insertion_kind.h"
 #include "session/exercise_kind.h"
+#include "session/study/comparison_kind.h"
 
 #include <array>
 

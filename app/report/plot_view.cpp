@@ -19,6 +19,14 @@ void takeRoom(QCPLayoutElement& row, bool shown) {
     row.setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 1);
 }
 
+/// Shared because QCPAxis requires a shared pointer.
+QSharedPointer<QCPAxisTicker> wholeNumbers() {
+    const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
+    ticker->setTickStep(1.0);
+    ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    return ticker;
+}
+
 } // namespace
 
 PlotView::PlotView(const PlotTheme& theme, QWidget* parent)
@@ -53,12 +61,12 @@ void PlotView::setYAxis(const PlotAxis& axis) {
     m_impl->plot->yAxis->setLabel(axis.label);
 }
 
+void PlotView::setXWholeNumbers() {
+    m_impl->plot->xAxis->setTicker(wholeNumbers());
+}
+
 void PlotView::setYWholeNumbers() {
-    // Shared because QCPAxis requires a shared pointer.
-    const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
-    ticker->setTickStep(1.0);
-    ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-    m_impl->plot->yAxis->setTicker(ticker);
+    m_impl->plot->yAxis->setTicker(wholeNumbers());
 }
 
 void PlotView::setXCategories(const std::vector<QString>& names) {

@@ -46,7 +46,8 @@ public:
     void setTitle(const QString& title);
     void setXAxis(const PlotAxis& axis);
     void setYAxis(const PlotAxis& axis);
-    /// Restricts the ticks of the y axis to whole numbers, for counts.
+    /// Restricts the ticks of an axis to whole numbers, for counts and for what is numbered.
+    void setXWholeNumbers();
     void setYWholeNumbers();
     /// Names instead of numbers under the x axis, at 0, 1, 2 ...
     void setXCategories(const std::vector<QString>& names);

@@ -87,11 +87,34 @@ QByteArray channelsJson() {
 
 struct Written {
     std::uint64_t samples = 0;
-    std::uint64_t firstTick = 0;
     double duration_s = 0.0;
     std::int64_t first_ns = 0;
-    std::vector<double> onset_s; ///< one per event
-    std::vector<double> end_s;
+};
+
+/// The spans of events whose ticks are known.
+class SpansOfTicks final : public BidsSpans {
+public:
+    explicit SpansOfTicks(const std::vector<BidsEvent>& events) : m_events(events) {
+        for (const BidsEvent& event : events)
+            m_spans.push_back({kNotYet, kNotYet, event.type, event.value});
+    }
+    void add(const core::HapticFrame& frame, double t_s) override {
+        for (std::size_t i = 0; i < m_events.size(); ++i) {
+            if (frame.header.index >= m_events[i].firstTick && m_spans[i].onset_s < 0.0)
+                m_spans[i].onset_s = t_s;
+            if (frame.header.index <= m_events[i].lastTick)
+                m_spans[i].end_s = t_s;
+        }
+    }
+    std::vector<BidsSpan> take() override {
+        std::erase_if(m_spans, [](const BidsSpan& span) { return span.onset_s < 0.0; });
+        return std::move(m_spans);
+    }
+
+private:
+    static constexpr double kNotYet = -1.0;
+    const std::vector<BidsEvent>& m_events;
+    std::vector<BidsSpan> m_spans;
 };
 
 void addCell(QByteArray& row, double value) {
@@ -120,26 +143,17 @@ QByteArray rowOf(const core::HapticFrame& frame, const core::ToolState& pose, do
     return row;
 }
 
-core::Result<Written> writeSamples(QFile& file, SessionView& session, const std::vector<BidsEvent>& events) {
+core::Result<Written> writeSamples(QFile& file, SessionView& session, BidsSpans& spans) {
     Written written;
-    written.onset_s.assign(events.size(), -1.0);
-    written.end_s.assign(events.size(), -1.0);
     auto done = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         QByteArray text;
         for (const core::HapticFrame& frame : frames) {
-            if (written.samples++ == 0) {
+            if (written.samples++ == 0)
                 written.first_ns = frame.header.now_ns;
-                written.firstTick = frame.header.index;
-            }
             const double t_s = 1e-9 * static_cast<double>(frame.header.now_ns - written.first_ns);
             written.duration_s = t_s;
             text += rowOf(frame, session.positions().pose(0, frame.tool[0]), t_s);
-            for (std::size_t i = 0; i < events.size(); ++i) {
-                if (frame.header.index >= events[i].firstTick && written.onset_s[i] < 0.0)
-                    written.onset_s[i] = t_s;
-                if (frame.header.index <= events[i].lastTick)
-                    written.end_s[i] = t_s;
-            }
+            spans.add(frame, t_s);
         }
         if (file.write(text) != text.size())
             return core::fail(core::ErrorCode::storage,
@@ -182,33 +196,56 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
     return QJsonDocument(json).toJson();
 }
 
-QByteArray eventsTsv(const std::vector<BidsEvent>& events, const Written& written) {
+/// The columns of a place are there only where an event has one.
+bool havePlaces(const std::vector<BidsSpan>& spans) {
+    return std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) { return span.p_W.has_value(); });
+}
+
+constexpr std::array kPlaceColumns{"position_x", "position_y", "position_z"};
+
+QByteArray eventsTsv(const std::vector<BidsSpan>& spans) {
     ExportTable table{
         "events",
         {},
         {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}},
         {}};
-    for (std::size_t i = 0; i < events.size(); ++i)
-        if (written.onset_s[i] >= 0.0)
-            table.rows.push_back({exportNumber(written.onset_s[i]),
-                                  exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])),
-                                  events[i].type, events[i].value});
+    const bool places = havePlaces(spans);
+    for (const char* column : kPlaceColumns)
+        if (places)
+            table.columns.push_back({column, "m", ""});
+    for (const BidsSpan& span : spans) {
+        QStringList row{exportNumber(span.onset_s), exportNumber(std::max(0.0, span.end_s - span.onset_s)),
+                        span.type, span.value};
+        for (int axis = 0; places && axis < 3; ++axis)
+            row << (span.p_W ? exportNumber((*span.p_W)[axis]) : kNotAvailable);
+        table.rows.push_back(row);
+    }
     return tsvOf(table);
 }
 
-QByteArray eventsJson() {
-    const QJsonObject levels{{"trial", "scored presentation"},
-                             {"practice", "practice, never scored"},
-                             {"spoiled", "presentation that does not count"}};
-    return QJsonDocument(
-               QJsonObject{
-                   {"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"},
-                                         {"Units", "s"}}},
-                   {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
-                   {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
-                   {"ordinal",
-                    QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
-        .toJson();
+QByteArray eventsJson(const std::vector<BidsSpan>& spans) {
+    QJsonObject levels{{"trial", "scored presentation"},
+                       {"practice", "practice, never scored"},
+                       {"spoiled", "presentation that does not count"}};
+    const bool yields = std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) {
+        return span.type == QLatin1String(kTissueYielded);
+    });
+    if (yields)
+        levels.insert(QLatin1String(kTissueYielded),
+                      "tissue gave way under the tool; its ordinal is that of the trial");
+    QJsonObject json{
+        {"onset",
+         QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
+        {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+        {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
+        {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}};
+    if (havePlaces(spans))
+        for (const char* column : kPlaceColumns)
+            json.insert(QLatin1String(column),
+                        QJsonObject{{"Description", "tip of the tool where tissue gave way, in the frame of "
+                                                    "the motion file; n/a for other events"},
+                                    {"Units", "m"}});
+    return QJsonDocument(json).toJson();
 }
 
 } // namespace
@@ -254,6 +291,12 @@ std::map<QString, QString> bidsLabels(QStringList words) {
 
 core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
                                    const std::vector<BidsEvent>& events) {
+    SpansOfTicks spans(events);
+    return writeBidsMotion(folder, session, recording, spans);
+}
+
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
+                                   BidsSpans& spans) {
     const QString base = QStringLiteral("sub-%1/motion/%2").arg(recording.subject, recording.stem());
     const QString tracked = base + QStringLiteral("_tracksys-haptic") + recording.tail();
     const auto path = folder.place(tracked + "_motion.tsv");
@@ -262,16 +305,16 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
     if (!file.open(QIODevice::WriteOnly))
         return core::fail(core::ErrorCode::storage,
                           (*path + ": cannot be written: " + file.errorString()).toStdString());
-    const auto written = writeSamples(file, session, events);
+    const auto written = writeSamples(file, session, spans);
     CHIRON_TRY(written);
+    const std::vector<BidsSpan> found = spans.take();
     for (const auto& [name, bytes] :
          {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)},
           {tracked + "_channels.tsv", channelsTsv()},
           {tracked + "_channels.json", channelsJson()},
-          {tracked + "_events.tsv", eventsTsv(events, *written)},
-          {tracked + "_events.json", eventsJson()}})
-        if (auto done = folder.write(name, bytes); !done)
-            return done;
+          {tracked + "_events.tsv", eventsTsv(found)},
+          {tracked + "_events.json", eventsJson(found)}})
+        CHIRON_TRY(folder.write(name, bytes));
     return {};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry.h"
+#include "core/haptic_frame.h"
 #include "core/result.h"
 #include "session/new_folder.h"
 #include "session/session_view.h"
@@ -10,6 +12,8 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
+#include <vector>
 
 namespace chiron::session {
 
@@ -27,11 +31,37 @@ struct BidsRecording {
     QString tail() const; ///< "_acq-sitting1_run-1"
 };
 
+/// The type of an event at which tissue gave way.
+inline constexpr const char* kTissueYielded = "tissue_yielded";
+
 /// A span of ticks that an events file lists.
 struct BidsEvent {
     std::uint64_t firstTick = 0, lastTick = 0;
     QString type;  ///< "trial", "practice", "spoiled"
     QString value; ///< number of the presentation
+};
+
+/// A span of the recording as an events file lists it, in seconds since the first sample.
+struct BidsSpan {
+    double onset_s = 0.0;
+    double end_s = 0.0;
+    QString type;                                 ///< as in BidsEvent, or kTissueYielded
+    QString value;                                ///< number of the presentation
+    std::optional<core::Vec3> p_W = std::nullopt; ///< where tissue gave way; m, W
+};
+
+/// Finds the spans of an events file while the samples of a recording are written, so that it is decoded
+/// once.
+class BidsSpans {
+public:
+    BidsSpans() = default;
+    BidsSpans(const BidsSpans&) = delete;
+    BidsSpans& operator=(const BidsSpans&) = delete;
+    virtual ~BidsSpans() = default;
+    /// Call it for each frame, in order; `t_s`: since the first one.
+    virtual void add(const core::HapticFrame& frame, double t_s) = 0;
+    /// The spans that began within the recording.
+    virtual std::vector<BidsSpan> take() = 0;
 };
 
 /// The letters and digits of a word; "x" if it has none.
@@ -48,9 +78,13 @@ std::map<QString, QString> bidsLabels(QStringList words);
 /// channels.
 /// Errors: those of the reader, storage.
 core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
+                                   BidsSpans& spans);
+/// The same with events whose ticks are known.
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording,
                                    const std::vector<BidsEvent>& events);
 
-/// Writes `folder` as a BIDS dataset of this session only, with its trials as events.
+/// Writes `folder` as a BIDS dataset of this session only, with its trials, and the moments at which tissue
+/// gave way, as events.
 /// Errors: badInput if the folder exists; storage; those of the reader.
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder);
 

@@ -2,10 +2,13 @@
 #include "session/event_extractor.h"
 
 #include "session/trace_mark.h"
+#include "session/yield_cause.h"
 
 #include "core/contact_bits.h"
+#include "cues/procedure_stage.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace chiron::session {
@@ -53,6 +56,18 @@ constexpr std::array<MarkedGuard, 8> kMarkedGuards{{
     {core::guard_bits::kPassivity, "passivity", false},
     {core::guard_bits::kDeviceFault, "device_fault", true},
 }};
+
+/// In metres, to a micrometre.
+std::string placeJson(const core::Vec3& p_W) {
+    std::string text = ",\"position_m\":[";
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<char, 40> digits{};
+        const double rounded_m = std::round(1e6 * p_W[axis]) / 1e6 + 0.0; // + 0: no minus zero
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), rounded_m).ptr;
+        text.append(axis == 0 ? "" : ",").append(digits.data(), end);
+    }
+    return text + "]";
+}
 
 const char* endWordOf(std::uint32_t events, bool byTrace) {
     using namespace core::event_bits;
@@ -123,7 +138,7 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
         m_trials.back().lastTick = frame.header.index;
     if ((events & kStageChanged) && !(events & kCompleted))
         note(frame, t_s, "stage_changed");
-    if (events & kLandmarkSeen)
+    if (events & core::procedure_bits::kLandmarkSeen)
         note(frame, t_s, "landmark_seen");
     constexpr std::pair<std::uint32_t, const char*> kGrasps[] = {
         {kGrasped, "grasped"}, {kReleased, "released"}, {kSlipped, "slipped"}, {kDamaged, "damaged"}};
@@ -156,10 +171,12 @@ void EventExtractor::addYields(const core::HapticFrame& frame, double t_s) {
         if (core::contactOfStatus(frame.tool[tool].status) & core::contact_bits::kYielded) {
             note(frame, t_s, "tissue_yielded", i);
             const long long torque_mNm = std::llround(1e3 * std::max(m_torque_Nm[tool], torque_Nm));
+            const auto place = yieldPlaceOf(m_positions, i, frame.tool[tool]);
             m_events.back().detailJson =
                 "{\"trial\":" + std::to_string(frame.header.trial) +
                 ",\"force_mN\":" + std::to_string(std::llround(1e3 * std::max(m_force_N[tool], force_N))) +
-                (torque_mNm > 0 ? ",\"torque_mN_m\":" + std::to_string(torque_mNm) : std::string()) + "}";
+                (torque_mNm > 0 ? ",\"torque_mN_m\":" + std::to_string(torque_mNm) : std::string()) +
+                (place ? placeJson(*place) : std::string()) + "}";
         }
         m_force_N[tool] = force_N;
         m_torque_Nm[tool] = torque_Nm;

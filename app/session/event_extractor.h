@@ -3,6 +3,7 @@
 
 #include "core/haptic_frame.h"
 #include "database/repositories/session_types.h"
+#include "recording/position_of.h"
 #include "session/device_time.h"
 
 #include <array>
@@ -24,13 +25,15 @@ std::span<const MarkedGuard> markedGuards() noexcept;
 
 /// Converts stored frames to the events and trials of a session, as playback marks them and the database
 /// stores them: trial starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each
-/// guard, tissue that gave way (with its force in mN and torque in mN·m; which of them was the cause follows
-/// from the level: yield_cause.h), and the onset of tissue force over the limit. The change of stage that
-/// completes a procedure is reported as its completion.
+/// guard, tissue that gave way (with its force in mN and torque in mN·m, and where the tip was, in m and W;
+/// which of force and torque was the cause follows from the level: yield_cause.h), and the onset of tissue
+/// force over the limit. The change of stage that completes a procedure is reported as its completion.
 class EventExtractor {
 public:
-    EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)
-        : m_forceLimit_N(forceLimit_N), m_seed(sessionSeed), m_tools(tools) {}
+    /// `positions`: of the session's tools; it must outlive the calls of add(). Null: no event has a place.
+    EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools,
+                   const recording::IPositionOf* positions = nullptr)
+        : m_forceLimit_N(forceLimit_N), m_seed(sessionSeed), m_tools(tools), m_positions(positions) {}
 
     void add(std::span<const core::HapticFrame> frames);
     const std::vector<database::EventRecord>& events() const noexcept { return m_events; }
@@ -54,6 +57,7 @@ private:
     double m_forceLimit_N;
     std::uint64_t m_seed;
     int m_tools;
+    const recording::IPositionOf* m_positions;
     DeviceTime m_time;
     std::uint64_t m_frames = 0;
     std::uint64_t m_lastTick = 0;

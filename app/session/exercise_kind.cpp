@@ -20,6 +20,13 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
                       "exercise \"" + std::string(id) + "\": expected one of " + known);
 }
 
+bool isOnlyInStudies(std::string_view exercise) noexcept {
+    for (const ExerciseKind* kind : exerciseKinds())
+        if (kind->id() == exercise)
+            return kind->onlyInStudies();
+    return false;
+}
+
 std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
     std::string ids;
     for (const ExerciseKind* kind : exerciseKinds())

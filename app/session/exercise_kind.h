@@ -73,6 +73,13 @@ struct FingersOfHand {
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
+/// A metric whose value a level limits: by a pass mark, and by a limit of the level itself if it has one.
+struct LimitedMetric {
+    std::string_view metric; ///< id
+    /// The level's own limit, in the metric's unit; empty: only a pass mark limits it.
+    std::optional<double> own{};
+};
+
 /// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
 inline constexpr std::string_view kUsualMechanism = devices::kGimbalHprd;
 
@@ -86,6 +93,9 @@ public:
     virtual ~ExerciseKind() = default;
 
     virtual std::string_view id() const noexcept = 0;
+    /// True if only studies present it: it is in no catalogue and has no levels among which a person could
+    /// choose.
+    virtual bool onlyInStudies() const noexcept { return false; }
     /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2),
     /// "five_bar_spherical" (P1) or "fingertip_arm" (P3).
     virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
@@ -158,12 +168,9 @@ public:
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
-    /// Limits of a level in addition to that of the force on the tissue: the metric, and the value that it
-    /// should not exceed, N.
-    virtual std::vector<std::pair<std::string_view, double>>
-    otherLimits_N(const catalogue::ExerciseLevel&) const {
-        return {};
-    }
+    /// The metrics of its own whose values a level limits, in addition to the force on the tissue, in the
+    /// order in which people are told of them.
+    virtual std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel&) const { return {}; }
     /// The exercise's torque cap for the supervisor; the site's default (models.md §5) if the exercise
     /// commands no torque.
     virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
@@ -178,8 +185,8 @@ public:
     /// True if addMarks() needs the trace, which then comes from the same pass as the track.
     virtual bool marksFromTrace() const noexcept { return false; }
     /// Adds to a track the marks that need the whole trial: outcomes of answers, and events that the scores
-    /// count. Uses the same judgement as the scores. Marks stay in the order of time. `trace` is null unless
-    /// marksFromTrace().
+    /// count; names the stages that the track's marks begin. Uses the same judgement as the scores. Marks
+    /// stay in the order of time. `trace` is null unless marksFromTrace().
     /// Errors: a trace that cannot be scored.
     virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/,
                                         PlaybackTrack&) const {
@@ -225,5 +232,8 @@ std::string idsOfKinds(bool (*holds)(const ExerciseKind&));
 /// The exercise with this id.
 /// Errors: notFound naming the exercises that exist.
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id);
+
+/// ExerciseKind::onlyInStudies of the exercise with this id; false for an unknown exercise.
+bool isOnlyInStudies(std::string_view exercise) noexcept;
 
 } // namespace chiron::session

@@ -143,7 +143,7 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     feeling.hand.tremorRms_m = 0.0;
     feeling.hand.reactionDelay_s = 0.0;
     feeling.frictionCompensation = compensation;
-    feeling.gimbal = &plant;
+    feeling.plant = plant;
     auto station = simulatedStation(devices::kGimbalHprd, std::move(feeling));
     CHIRON_TRY(station);
     const StationTool& tool = station->tools.front();

@@ -14,7 +14,8 @@ LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt) {
     const auto has = [&words](const char* word) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
-    return {.object = has("object"),
+    return {.felt = felt,
+            .object = has("object"),
             .tool = has("tool"),
             .arrow = has("arrow"),
             .bars = has("bars"),

@@ -10,6 +10,7 @@ namespace chiron::session {
 
 /// The cues that a level shows or plays on the current class of device; all others are off.
 struct LevelCues {
+    bool felt = false; ///< the class: the person feels the force; otherwise it is only shown
     bool object = false;
     bool tool = false;
     bool arrow = false;

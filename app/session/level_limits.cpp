@@ -4,11 +4,12 @@
 #include "session/exercise_kind.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace chiron::session {
 
 namespace {
+
+constexpr std::string_view kForce = "force_max";
 
 std::optional<double> largestPassed(const catalogue::ExerciseLevel& level, std::string_view metric) {
     const auto gate = std::find_if(level.gates.begin(), level.gates.end(),
@@ -16,40 +17,49 @@ std::optional<double> largestPassed(const catalogue::ExerciseLevel& level, std::
     return gate == level.gates.end() ? std::nullopt : gate->maximum;
 }
 
-/// The limit that the content sets for a metric, independently of pass marks, N; empty if it sets none.
-std::optional<double> ownLimit(const catalogue::ExerciseLevel& level, std::string_view metric) {
+/// All metrics that the level limits, the force on the tissue first. For an unknown exercise only this one.
+std::vector<LimitedMetric> limitedMetricsOf(const catalogue::ExerciseLevel& level) {
+    std::vector<LimitedMetric> limited{{.metric = kForce}};
     const auto kind = exerciseKind(level.exercise);
     if (!kind)
-        return {};
-    if (metric == "force_max")
-        return (*kind)->forceLimit_N(level);
-    for (const auto& [limited, limit_N] : (*kind)->otherLimits_N(level))
-        if (limited == metric)
-            return limit_N;
-    return {};
+        return limited;
+    limited.front().own = (*kind)->forceLimit_N(level);
+    for (const LimitedMetric& other : (*kind)->limitedMetrics(level))
+        limited.push_back(other);
+    return limited;
 }
 
 /// The stricter of the two limits, if there is one.
-std::optional<double> limitOf(const catalogue::ExerciseLevel& level, std::string_view metric) {
-    const std::optional<double> own_N = ownLimit(level, metric), passed_N = largestPassed(level, metric);
-    return own_N && passed_N ? std::min(*own_N, *passed_N) : own_N ? own_N : passed_N;
+std::optional<double> stricter(const std::optional<double>& own, const std::optional<double>& passed) {
+    return own && passed ? std::min(*own, *passed) : own ? own : passed;
 }
 
 } // namespace
 
+std::optional<double> LevelLimits::of(std::string_view metric) const {
+    for (const auto& [limited, limit] : others)
+        if (limited == metric)
+            return limit;
+    return std::nullopt;
+}
+
 LevelLimits levelLimits(const catalogue::ExerciseLevel& level) {
     LevelLimits limits;
-    limits.force_N = limitOf(level, "force_max").value_or(limits.force_N);
-    limits.squeeze_N = limitOf(level, "squeeze_max");
-    limits.lateral_N = limitOf(level, "lateral_max");
-    limits.retraction_N = limitOf(level, "retraction_max");
-    limits.placement_mm = largestPassed(level, "placement_error");
+    for (const LimitedMetric& limited : limitedMetricsOf(level)) {
+        const auto limit = stricter(limited.own, largestPassed(level, limited.metric));
+        if (limit && limited.metric == kForce)
+            limits.force_N = *limit;
+        else if (limit)
+            limits.others.emplace_back(limited.metric, *limit);
+    }
     return limits;
 }
 
 std::optional<double> limitBehind(const catalogue::ExerciseLevel& level, const scoring::Gate& gate) {
-    const std::optional<double> limit_N = ownLimit(level, gate.metric);
-    return limit_N && gate.maximum && *gate.maximum > *limit_N ? limit_N : std::nullopt;
+    for (const LimitedMetric& limited : limitedMetricsOf(level))
+        if (limited.metric == gate.metric)
+            return limited.own && gate.maximum && *gate.maximum > *limited.own ? limited.own : std::nullopt;
+    return std::nullopt;
 }
 
 } // namespace chiron::session

@@ -4,17 +4,22 @@
 #include "catalogue/exercise.h"
 
 #include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace chiron::session {
 
 /// The values that must not be exceeded at a level. Each has a single number everywhere in the program: the
 /// level's own limit, or the pass mark on the largest value if that is stricter.
 struct LevelLimits {
-    double force_N = 4.0;               ///< on the tissue
-    std::optional<double> squeeze_N;    ///< between the jaws of a grasper
-    std::optional<double> lateral_N;    ///< across a canal
-    std::optional<double> retraction_N; ///< pull on a fold
-    std::optional<double> placement_mm; ///< from the target's centre, mean over the trials
+    double force_N = 4.0; ///< on the tissue
+    /// Of the exercise's own metrics (ExerciseKind::limitedMetrics), in their units; a metric that nothing
+    /// limits is left out.
+    std::vector<std::pair<std::string_view, double>> others{};
+
+    /// The limit of one of `others`, by the metric's id; empty if nothing limits it.
+    std::optional<double> of(std::string_view metric) const;
 };
 
 /// Pure function.

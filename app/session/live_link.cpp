@@ -3,6 +3,8 @@
 // (tests/realtime).
 #include "session/live_link.h"
 
+#include "core/contact_bits.h"
+
 #include <cmath>
 
 namespace chiron::session {
@@ -36,10 +38,12 @@ LiveSample liveSampleOf(const haptics::DisplayState& shown, std::int64_t start_n
     sample.commanded_N = static_cast<float>(norm3(tool.commanded));
     sample.speed_m_per_s = static_cast<float>(norm3(tool.v_WT_m_per_s));
     sample.depth_m = tissue_N > 0.0 ? static_cast<float>(norm3(into)) : 0.0f;
-    for (std::size_t i = 0; i < sample.press.size() && static_cast<int>(i) < shown.tools; ++i)
+    for (std::size_t i = 0; i < sample.press.size() && static_cast<int>(i) < shown.tools; ++i) {
         sample.press[i] = {static_cast<float>(shown.tool[i].p_WProxy_m[0]),
                            static_cast<float>(shown.tool[i].p_WProxy_m[1]),
                            static_cast<float>(shown.tool[i].displayPose[0])};
+        sample.yielded = sample.yielded || (shown.tool[i].contact & core::contact_bits::kYielded) != 0;
+    }
     sample.guards = shown.guards;
     sample.events = shown.events;
     sample.phase = shown.phase;

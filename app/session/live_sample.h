@@ -29,6 +29,7 @@ struct LiveSample {
     std::array<std::array<float, 3>, core::kMaxTools> press{};
     std::uint32_t guards = 0; ///< core::guard_bits
     std::uint32_t events = 0; ///< core::event_bits
+    bool yielded = false;     ///< tissue gave way to any of the tools at this tick
     core::TrialPhase phase = core::TrialPhase::idle;
     bool paused = false;
 };

@@ -67,6 +67,7 @@ std::string loopJson(const LoopReport& report) {
     put("p99_us", report.p99_us);
     put("max_us", report.max_us);
     put("passivity_J", report.passivity_J);
+    put("passivity_withheld_J", report.passivityWithheld_J);
     if (report.lateness) {
         QJsonArray edges;
         QJsonArray counts;
@@ -96,6 +97,7 @@ core::Result<LoopReport> loopReportFrom(const std::string& text) {
     report.p99_us = numberFrom(json, "p99_us");
     report.max_us = numberFrom(json, "max_us");
     report.passivity_J = numberFrom(json, "passivity_J");
+    report.passivityWithheld_J = numberFrom(json, "passivity_withheld_J");
     report.lateness = binsFrom(json);
     return report;
 }

@@ -36,6 +36,9 @@ struct LoopReport {
     /// in sessions that were stored before it existed.
     std::optional<double> passivity_J;
     std::optional<LatenessBins> lateness; ///< empty also in sessions that were stored before it existed
+    /// The same as `passivity_J` without what people were spared (PassivityController::withheld_J()); empty
+    /// in sessions that were stored before it existed.
+    std::optional<double> passivityWithheld_J;
 };
 
 /// Fills in the punctuality of a run on a clock from its statistics.

@@ -24,6 +24,9 @@ struct MomentRule {
     std::string_view quantity{}; ///< one of ExerciseKind::quantities
     double factor = 1.0;         ///< factor of the mark's value that gives the unit
     std::string_view unit{};
+    bool onlyCritical = false; ///< largestMark: only marks that the metric critical_errors counts
+    /// The metric is spread over a trial, so that a moment of any other missed gate comes before this one.
+    bool spread = false;
     bool ofWholeTrial = false; ///< what happened concerns the trial as a whole, whose end is the moment
 
     bool isOf(std::string_view id) const noexcept {

@@ -2,6 +2,7 @@
 #include "session/playback_mark.h"
 
 #include "core/contact_bits.h"
+#include "cues/procedure_stage.h"
 #include "scoring/force_facts.h"
 #include "session/event_extractor.h"
 #include "session/trace_mark.h"
@@ -110,7 +111,7 @@ void MarkExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
         note(frame, t_s, PlaybackMarkKind::trialStarted);
     if ((events & kStageChanged) && !(events & kCompleted))
         note(frame, t_s, PlaybackMarkKind::stageChanged);
-    if (events & kLandmarkSeen)
+    if (events & core::procedure_bits::kLandmarkSeen)
         note(frame, t_s, PlaybackMarkKind::landmarkSeen);
     if (events & kCompleted)
         note(frame, t_s, PlaybackMarkKind::completed);
@@ -178,6 +179,7 @@ void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int to
     if (byTorque)
         mark.detail = kByTorque;
     mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
+    mark.p_W = yieldPlaceOf(m_positions, tool, frame.tool[i]);
 }
 
 void MarkExtractor::addLimited(const core::HapticFrame& frame, double t_s, int tool) {

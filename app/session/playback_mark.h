@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry.h"
 #include "core/haptic_frame.h"
+#include "recording/position_of.h"
 #include "simulation/yield.h"
 
 #include <array>
@@ -71,8 +73,9 @@ struct PlaybackMark {
     PlaybackMarkKind kind = PlaybackMarkKind::marked;
     int trial = 0; ///< from 0
     int tool = 0;
-    bool critical = false;       ///< counted by the session's metric critical_errors
-    std::optional<double> value; ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
+    bool critical = false;         ///< counted by the session's metric critical_errors
+    std::optional<double> value;   ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
+    std::optional<core::Vec3> p_W; ///< yielded: where, m, W; no value if the packet was refused
     /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's
     /// token ("inspection"), empty if unknown; timedOut: kProcedure if the trial did not ask for a mark.
     std::string detail;
@@ -89,9 +92,12 @@ bool isPenalty(PlaybackMarkKind kind) noexcept;
 class MarkExtractor {
 public:
     /// `felt`: the device rendered force, so that the felt force can be smaller than the tissue's. `yield`:
-    /// the level's law, which decides whether tissue gave way to force or to torque.
-    MarkExtractor(double forceLimit_N, int tools, bool felt = false, const simulation::YieldLaw& yield = {})
-        : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt), m_yield(yield) {}
+    /// the level's law, which decides whether tissue gave way to force or to torque. `positions`: of the
+    /// session's tools; it must outlive the calls of add(). Null: no mark has a place.
+    MarkExtractor(double forceLimit_N, int tools, bool felt = false, const simulation::YieldLaw& yield = {},
+                  const recording::IPositionOf* positions = nullptr)
+        : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt), m_yield(yield), m_positions(positions) {
+    }
 
     /// `t_s`: the frame's device time since the first frame.
     void add(const core::HapticFrame& frame, double t_s);
@@ -122,6 +128,7 @@ private:
     int m_tools;
     bool m_felt;
     simulation::YieldLaw m_yield;
+    const recording::IPositionOf* m_positions;
     Standstill m_standstill = Standstill::none;
     std::optional<std::size_t> m_stop; ///< the mark of the current stop
     std::uint32_t m_guards = 0;

@@ -83,8 +83,7 @@ public:
     core::Result<void> run(ReplayReport& report) {
         report.identical = true;
         for (std::size_t i = 0; i < m_session.reader().chunkCount(); ++i) {
-            if (auto done = runChunk(i, report); !done)
-                return done;
+            CHIRON_TRY(runChunk(i, report));
         }
         return {};
     }

@@ -1,13 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "session/bids_motion.h"
 #include "session/study_export_table.h"
+#include "session/yield_cause.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <map>
 
 namespace chiron::session {
+
+namespace {
+
+/// The trials, each from its first frame to its last, and the moments at which tissue gave way.
+class SessionSpans final : public BidsSpans {
+public:
+    explicit SessionSpans(const ToolPositions& positions) : m_positions(positions) {}
+    void add(const core::HapticFrame& frame, double t_s) override {
+        const QString trial = QString::number(frame.header.trial);
+        m_trials.try_emplace(frame.header.trial, BidsSpan{t_s, t_s, "trial", trial}).first->second.end_s =
+            t_s;
+        for (int tool = 0; tool < m_positions.tools(); ++tool) {
+            const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
+            if (core::contactOfStatus(sample.status) & core::contact_bits::kYielded)
+                m_yields.push_back(
+                    {t_s, t_s, kTissueYielded, trial, yieldPlaceOf(&m_positions, tool, sample)});
+        }
+    }
+    std::vector<BidsSpan> take() override {
+        std::vector<BidsSpan> spans = std::move(m_yields);
+        for (auto& [number, span] : m_trials)
+            spans.push_back(std::move(span));
+        std::stable_sort(spans.begin(), spans.end(),
+                         [](const BidsSpan& a, const BidsSpan& b) { return a.onset_s < b.onset_s; });
+        return spans;
+    }
+
+private:
+    const ToolPositions& m_positions;
+    std::map<int, BidsSpan> m_trials;
+    std::vector<BidsSpan> m_yields;
+};
+
+} // namespace
 
 core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
@@ -21,36 +58,16 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                   {"Authors", QJsonArray{"n/a"}},
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     const BidsRecording recording{subject, bidsLabel(exercise), {}, 1, exercise, {}};
-    std::map<int, BidsEvent> trials;
-    auto read = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        for (const core::HapticFrame& frame : frames) {
-            auto& event = trials
-                              .try_emplace(frame.header.trial, BidsEvent{frame.header.index, 0, "trial",
-                                                                         QString::number(frame.header.trial)})
-                              .first->second;
-            event.lastTick = frame.header.index;
-        }
-        return {};
-    });
-    if (!read)
-        return read;
-    std::vector<BidsEvent> events;
-    for (const auto& trial : trials)
-        events.push_back(trial.second);
+    SessionSpans spans(session.positions());
     const ExportTable participants{"participants",
                                    {},
                                    {{"participant_id", "", "the session's number"}},
                                    {{QStringLiteral("sub-") + subject}}};
-    if (auto written = made->write("dataset_description.json", QJsonDocument(description).toJson()); !written)
-        return written;
-    if (auto written = made->write("README", "One recorded session: motion of the tool with forces, its "
-                                             "trials as events. Who did it is not part of it.\n");
-        !written)
-        return written;
-    if (auto written = made->write("participants.tsv", tsvOf(participants)); !written)
-        return written;
-    if (auto written = writeBidsMotion(*made, session, recording, events); !written)
-        return written;
+    CHIRON_TRY(made->write("dataset_description.json", QJsonDocument(description).toJson()));
+    CHIRON_TRY(made->write("README", "One recorded session: motion of the tool with forces, its "
+                                     "trials as events. Who did it is not part of it.\n"));
+    CHIRON_TRY(made->write("participants.tsv", tsvOf(participants)));
+    CHIRON_TRY(writeBidsMotion(*made, session, recording, spans));
     return made->commit();
 }
 

@@ -171,8 +171,7 @@ core::Result<void> exportCsv(SessionView& session, const QString& path) {
     });
     if (written)
         written = flush(); // only the header, if nothing was recorded
-    if (!written)
-        return written;
+    CHIRON_TRY(written);
     if (!file.commit())
         return tl::unexpected(cannotWrite(path, file.errorString()));
     return {};

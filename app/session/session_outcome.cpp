@@ -3,15 +3,12 @@
 
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_repository.h"
-#include "session/answer_events.h"
-#include "session/event_extractor.h"
 #include "session/exercise_kind.h"
 #include "session/session_view.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <algorithm>
-#include <vector>
+#include <memory>
 
 namespace chiron::session {
 
@@ -19,14 +16,14 @@ namespace {
 
 using database::SessionState;
 
-SessionState stateOf(const EventExtractor& seen, const RunEnding& ending) {
+SessionState stateOf(const SessionEvents& seen, const RunEnding& ending) {
     if (ending.interrupted)
         return SessionState::interrupted;
     if (ending.dropped > 0)
         return SessionState::incomplete;
-    if (seen.finished())
+    if (seen.finished)
         return SessionState::completed;
-    return seen.faulted() ? SessionState::faulted : SessionState::stopped;
+    return seen.faulted ? SessionState::faulted : SessionState::stopped;
 }
 
 /// A trial without an end gets its state from the session's.
@@ -52,52 +49,38 @@ std::string truthJson(const ExerciseKind& kind, const scoring::TrialTrace& trial
 struct Conclusion {
     SessionState state = SessionState::completed;
     const ExerciseKind* kind = nullptr;
-    EventExtractor seen;
+    std::shared_ptr<const SessionEvents> seen;
     std::shared_ptr<const scoring::SessionTrace> trace; ///< the truth of each trial is stored with its row
     core::Result<scoring::ScoreCard> card;
-    std::vector<database::EventRecord> answers; ///< outcomes of the answers
 };
 
 core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
     const auto kind = exerciseKind(stored.setup().level.exercise);
     CHIRON_TRY(kind);
-    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
-    std::vector<FrameTime> times;
-    DeviceTime time;
-    auto trace = stored.trace([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        seen.add(frames);
-        for (const core::HapticFrame& frame : frames)
-            times.push_back({frame.header.index, time.at(frame)});
-        return {};
-    });
+    auto seen = stored.events();
+    CHIRON_TRY(seen);
+    auto trace = stored.trace();
     CHIRON_TRY(trace);
-    const SessionState state = stateOf(seen, ending);
+    const SessionState state = stateOf(**seen, ending);
     auto card = stored.scoresOf(**trace, state == SessionState::completed);
-    auto answers = answerEvents(**kind, times, **trace, seen.trials());
-    return Conclusion{state, *kind, std::move(seen), std::move(*trace), std::move(card), std::move(answers)};
+    return Conclusion{state, *kind, std::move(*seen), std::move(*trace), std::move(card)};
 }
 
 core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor,
                             database::SessionId id, const Conclusion& conclusion, const RunEnding& ending) {
-    const EventExtractor& seen = conclusion.seen;
+    const SessionEvents& seen = *conclusion.seen;
     database::SessionRepository sessions(context.connection(), actor);
-    for (std::size_t i = 0; i < seen.trials().size(); ++i) {
-        database::TrialRecord trial = withFate(seen.trials()[i], conclusion.state);
+    for (std::size_t i = 0; i < seen.trials.size(); ++i) {
+        database::TrialRecord trial = withFate(seen.trials[i], conclusion.state);
         if (i < conclusion.trace->trials.size())
             trial.sceneJson = truthJson(*conclusion.kind, conclusion.trace->trials[i]);
-        if (auto done = sessions.storeTrial(id, trial); !done)
-            return done;
+        CHIRON_TRY(sessions.storeTrial(id, trial));
     }
-    std::vector<database::EventRecord> events = seen.events();
-    events.insert(events.end(), conclusion.answers.begin(), conclusion.answers.end());
-    std::stable_sort(events.begin(), events.end(),
-                     [](const auto& a, const auto& b) { return a.tick < b.tick; });
-    if (auto done = sessions.storeEvents(id, events); !done)
-        return done;
+    CHIRON_TRY(sessions.storeEvents(id, seen.events));
     database::SessionEnd end;
     end.state = conclusion.state;
-    end.frames = seen.frames();
-    end.ticks = seen.frames() > 0 ? seen.lastTick() + 1 : 0;
+    end.frames = seen.frames;
+    end.ticks = seen.frames > 0 ? seen.lastTick + 1 : 0;
     end.dropped = ending.dropped;
     end.loopJson = ending.loopJson;
     return sessions.finishSession(id, end);

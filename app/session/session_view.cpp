@@ -42,69 +42,74 @@ core::Result<void> SessionView::eachChunk(const FrameVisitor& visit) {
     for (std::size_t i = 0; i < m_reader->chunkCount(); ++i) {
         auto frames = m_reader->framesOf(i);
         CHIRON_TRY(frames);
-        if (auto seen = visit(*frames); !seen)
-            return seen;
+        CHIRON_TRY(visit(*frames));
     }
     return {};
 }
 
 core::Result<void> SessionView::decode(const ReadProgress& progress) {
-    return derive(true, true, progress, {});
+    return derive({.trace = true, .track = true}, progress);
 }
 
 core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace() {
-    return trace(FrameVisitor{});
-}
-
-core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace(const FrameVisitor& also) {
-    CHIRON_TRY(derive(true, false, {}, also));
+    CHIRON_TRY(derive({.trace = true}, {}));
     return m_trace;
 }
 
 core::Result<std::shared_ptr<const PlaybackTrack>> SessionView::track(const ReadProgress& progress) {
-    CHIRON_TRY(derive(false, true, progress, {}));
+    CHIRON_TRY(derive({.track = true}, progress));
     return m_track;
 }
 
-core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgress& progress,
-                                       const FrameVisitor& also) {
+core::Result<std::shared_ptr<const SessionEvents>> SessionView::events() {
+    CHIRON_TRY(derive({.events = true}, {}));
+    return m_events;
+}
+
+core::Result<void> SessionView::derive(Parts wanted, const ReadProgress& progress) {
     const auto kind = exerciseKind(m_setup.level.exercise);
     CHIRON_TRY(kind);
-    track = track && !m_track;
-    trace = !m_trace && (trace || (track && (*kind)->marksFromTrace()));
-    if (!trace && !track && !also)
+    wanted.track = wanted.track && !m_track;
+    wanted.events = wanted.events && !m_events;
+    wanted.trace = !m_trace && (wanted.trace || wanted.events || (wanted.track && (*kind)->marksFromTrace()));
+    if (!wanted.trace && !wanted.track && !wanted.events)
         return {};
     std::optional<TraceAssembler> assembler;
-    if (trace)
+    if (wanted.trace)
         assembler.emplace(*m_positions, m_positions->tools(), m_positions.get(),
                           RecordedQuantities(m_reader->table()));
     std::unique_ptr<TrialSurfaces> surfaces;
-    std::optional<TrackBuilder> builder;
-    if (track) {
+    std::optional<TrackBuilder> track;
+    if (wanted.track) {
         surfaces = (*kind)->makeSurfaces(m_setup.level, m_setup.seed);
-        builder.emplace(*this, *surfaces);
+        track.emplace(*this, *surfaces);
     }
+    std::optional<SessionEventsBuilder> events;
+    if (wanted.events)
+        events.emplace(m_record.setup.forceLimit_N, m_setup.seed, m_positions->tools(), m_positions.get());
     std::size_t read = 0;
-    auto done = eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+    const auto done = eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         if (progress && !progress(static_cast<double>(read++) / static_cast<double>(m_reader->chunkCount())))
             return core::fail(core::ErrorCode::cancelled, "reading a recording: stopped by the person");
         if (assembler)
             assembler->add(frames);
-        if (builder)
-            builder->add(frames);
-        return also ? also(frames) : core::Result<void>();
+        if (track)
+            track->add(frames);
+        if (events)
+            events->add(frames);
+        return {};
     });
-    if (!done)
-        return done;
+    CHIRON_TRY(done);
     if (assembler)
         keep(*assembler, **kind);
-    if (!builder)
+    if (events)
+        m_events = std::make_shared<const SessionEvents>(events->take(**kind, *m_trace));
+    if (!track)
         return {};
-    PlaybackTrack built = builder->take();
-    done = (*kind)->addMarks(m_setup, m_trace.get(), built);
-    if (done)
-        m_track = std::make_shared<const PlaybackTrack>(std::move(built));
-    return done;
+    PlaybackTrack built = track->take();
+    CHIRON_TRY((*kind)->addMarks(m_setup, m_trace.get(), built));
+    m_track = std::make_shared<const PlaybackTrack>(std::move(built));
+    return {};
 }
 
 void SessionView::keep(TraceAssembler& assembler, const ExerciseKind& kind) {

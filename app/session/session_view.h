@@ -7,12 +7,16 @@
 #include "scoring/score_card.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
+#include "session/session_events.h"
 #include "session/session_setup.h"
 #include "session/tool_positions.h"
 
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace chiron::session {
 
@@ -26,9 +30,9 @@ using FrameVisitor = std::function<core::Result<void>(std::span<const core::Hapt
 
 /// One stored session, opened for review: its setup at the time, and everything derived from its recording.
 /// Scores, debrief, playback, report, replay and exports all use it, so that each value is derived in one
-/// place. Data derived from the samples are computed on first use and cached; decode() derives all of them in
-/// one pass. It belongs to the thread of its connection and must not outlive the connection. The results of
-/// trace() and track() outlive it and may be read on any thread.
+/// place. Data derived from the samples are computed on first use and cached; decode() derives what debrief,
+/// playback and report need in one pass. It belongs to the thread of its connection and must not outlive the
+/// connection. The results of trace(), track() and events() outlive it and may be read on any thread.
 class SessionView {
 public:
     /// Opens a session.
@@ -48,11 +52,19 @@ public:
     /// ten minutes, so call it on a worker.
     /// Errors: those of the reader; doesNotHold naming the damaged chunk; cancelled.
     core::Result<void> decode(const ReadProgress& progress = {});
-    /// The trials as the metrics see them, truth included. `also` visits every frame of the recording, in the
-    /// same pass if the trace has not been derived yet.
-    /// Errors: those of the reader or of the visitor.
+    /// The trials as the metrics see them, truth included.
+    /// Errors: those of the reader.
     core::Result<std::shared_ptr<const scoring::SessionTrace>> trace();
-    core::Result<std::shared_ptr<const scoring::SessionTrace>> trace(const FrameVisitor& also);
+    /// The truth of each trial that was begun, as the exercise's own struct, by the function that reads it:
+    /// truths(scoring::tubeTruthOf).
+    /// Errors: those of trace(); those of `read`, with the trial.
+    template <class Truth>
+    core::Result<std::vector<Truth>>
+        truths(core::Result<Truth> (*read)(std::span<const scoring::NamedValue>));
+    /// Events, trials and end of the session by its recording; concludeSession() stores them. Derives the
+    /// trace in the same pass, because outcomes of answers need it.
+    /// Errors: those of the reader.
+    core::Result<std::shared_ptr<const SessionEvents>> events();
     /// The session for playback, with all events as marks.
     /// Errors: those of decode().
     core::Result<std::shared_ptr<const PlaybackTrack>> track(const ReadProgress& progress = {});
@@ -72,7 +84,12 @@ public:
 
 private:
     SessionView() = default;
-    core::Result<void> derive(bool trace, bool track, const ReadProgress& progress, const FrameVisitor& also);
+    struct Parts {
+        bool trace = false;
+        bool track = false;
+        bool events = false;
+    };
+    core::Result<void> derive(Parts wanted, const ReadProgress& progress);
     void keep(TraceAssembler& assembler, const ExerciseKind& kind);
 
     database::SessionRecord m_record;
@@ -82,8 +99,25 @@ private:
     std::unique_ptr<recording::RecordingReader> m_reader;
     std::shared_ptr<const scoring::SessionTrace> m_trace;
     std::shared_ptr<const PlaybackTrack> m_track;
+    std::shared_ptr<const SessionEvents> m_events;
     int m_decodings = 0;
 };
+
+template <class Truth>
+core::Result<std::vector<Truth>>
+SessionView::truths(core::Result<Truth> (*read)(std::span<const scoring::NamedValue>)) {
+    const auto session = trace();
+    CHIRON_TRY(session);
+    std::vector<Truth> truths;
+    for (const scoring::TrialTrace& trial : (*session)->trials) {
+        auto truth = read(trial.truth);
+        if (!truth)
+            return core::fail(truth.error().code,
+                              "trial " + std::to_string(trial.trial + 1) + ": " + truth.error().message);
+        truths.push_back(std::move(*truth));
+    }
+    return truths;
+}
 
 /// True if two score cards are equal bit for bit: ids, versions, values, verdicts.
 bool sameScores(const scoring::ScoreCard& a, const scoring::ScoreCard& b);

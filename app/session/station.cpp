@@ -256,7 +256,7 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
     request.hand = hand.hand;
     request.seed = hand.seed;
     request.frictionCompensation = hand.frictionCompensation;
-    request.gimbal = hand.gimbal;
+    request.plant = std::move(hand.plant);
     request.tools.push_back({{}, {}, std::move(hand.strategy), {}});
     return stationOf(devices::usualDriver(devices::MovedBy::scriptedOperator), std::move(request));
 }
@@ -264,7 +264,8 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
                                       mechanisms::PolarMap map, std::string_view mechanism,
-                                      const WorkspaceChoice& mounting) {
+                                      const WorkspaceChoice& mounting,
+                                      const mechanisms::HandParameters* hand) {
     const std::vector<std::string_view> known = kind.mechanisms();
     const std::string_view chosen = mechanism.empty() ? kind.mechanism() : mechanism;
     if (std::find(known.begin(), known.end(), chosen) == known.end())
@@ -284,7 +285,7 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     request.shape = kind.pointerTool();
     request.endoscopeStart_W = kind.endoscopeStart_W();
     request.mechanism = std::string(chosen);
-    request.hand = trainee->hand;
+    request.hand = hand != nullptr ? *hand : trainee->hand;
     request.seed = core::Random::mix(seed, "hand");
     request.map = map;
     request.frictionCompensation = haptics::FrictionCompensation::kMost;

@@ -10,6 +10,7 @@
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -48,7 +49,7 @@ struct SimulatedHand {
     mechanisms::HandParameters hand;
     std::uint64_t seed = 1; ///< seed of its tremor
     double frictionCompensation = 0.0;
-    const mechanisms::GimbalPlantParameters* gimbal = nullptr; ///< DriverRequest::gimbal
+    std::any plant{}; ///< DriverRequest::plant
 };
 
 /// Makes a station with one tool of the simulated mechanism with this kinematics id.
@@ -85,14 +86,15 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
 /// A simulated mechanism of the exercise, one for each instrument of the level, with a scripted operator on
 /// it. `mechanism`: its kinematics id; "": the usual one. `map`: how a force is converted to motor torques on
 /// P2's gimbal (models.md §2.1). `mounting`: how every base is mounted relative to the exercise's positions,
-/// instead of the level's mounting.
+/// instead of the level's mounting. `hand`: the arm that holds the mechanism; null: the operator's own.
 /// Errors: those of makeOperator(); wrongUse for a mechanism that does not exist or that the exercise does
 ///   not support, and for a mounting if the scripted hands assume that D equals W; badInput as in
 ///   mappingOf().
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
                                       mechanisms::PolarMap map = mechanisms::PolarMap::exact,
-                                      std::string_view mechanism = {}, const WorkspaceChoice& mounting = {});
+                                      std::string_view mechanism = {}, const WorkspaceChoice& mounting = {},
+                                      const mechanisms::HandParameters* hand = nullptr);
 
 /// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that
 /// the level needs; rows of other tools are ignored. All devices begin with the file's earliest row and end

@@ -105,8 +105,7 @@ core::Result<void> exportStudyCsv(database::StudyReader& reader, database::Study
     files.emplace_back("dataset_description.json", descriptionJson(*data, tables));
     files.emplace_back("README.txt", readme(*data));
     for (const auto& [name, bytes] : files)
-        if (auto written = made->write(name, bytes); !written)
-            return written;
+        CHIRON_TRY(made->write(name, bytes));
     return made->commit();
 }
 

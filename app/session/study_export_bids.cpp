@@ -67,8 +67,7 @@ core::Result<void> writeTable(NewFolder& folder, const QString& stem, const Expo
     QJsonObject json = sidecarOf(table);
     for (auto it = head.begin(); it != head.end(); ++it)
         json.insert(it.key(), it.value());
-    if (auto written = folder.write(stem + ".tsv", tsvOf(table)); !written)
-        return written;
+    CHIRON_TRY(folder.write(stem + ".tsv", tsvOf(table)));
     return folder.write(stem + ".json", QJsonDocument(json).toJson());
 }
 
@@ -164,8 +163,7 @@ core::Result<void> writeSittings(NewFolder& folder, database::Connection& connec
                                                           : "spoiled",
                                   QString::number(trial.ordinal)});
         recording.acquisition = QStringLiteral("sitting%1").arg(i + 1);
-        if (auto written = writeBidsMotion(folder, **session, recording, events); !written)
-            return written;
+        CHIRON_TRY(writeBidsMotion(folder, **session, recording, events));
     }
     return {};
 }
@@ -316,10 +314,8 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
                                   {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
     // The orders and tables in it would reveal which code is which condition.
     if (!data.blinded)
-        if (auto written = folder.write(QStringLiteral("sourcedata/design.json"),
-                                        QByteArray::fromStdString(data.record.designJson));
-            !written)
-            return written;
+        CHIRON_TRY(folder.write(QStringLiteral("sourcedata/design.json"),
+                                QByteArray::fromStdString(data.record.designJson)));
     for (const auto& [name, bytes] :
          {std::pair{QStringLiteral("dataset_description.json"), QJsonDocument(description).toJson()},
           {QStringLiteral("README"),
@@ -331,10 +327,8 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
                           "keep_default_na=False)\n")
                .arg(english(data.design->title), english(data.design->objective), data.sha256(), blinded)
                .toUtf8()}})
-        if (auto written = folder.write(name, bytes); !written)
-            return written;
-    if (auto written = writeParticipants(folder, data, labels); !written)
-        return written;
+        CHIRON_TRY(folder.write(name, bytes));
+    CHIRON_TRY(writeParticipants(folder, data, labels));
     return writeQuestionnaires(folder, data, labels);
 }
 
@@ -348,15 +342,12 @@ core::Result<void> exportStudyBids(database::StudyReader& reader, database::Conn
     const auto data = gatherStudy(reader, study);
     CHIRON_TRY(data);
     const Labels labels = labelsOf(*data);
-    if (auto written = writeHead(*made, *data, labels); !written)
-        return written;
+    CHIRON_TRY(writeHead(*made, *data, labels));
     const ExportTable quality = qualityTable(*data);
     for (const ExportedParticipant& each : data->participants) {
         if (data->sealed && !each.runs.empty())
-            if (auto written = writeSealed(*made, *data, each, quality,
-                                           labels.subject.at(QString::fromStdString(each.participant.code)));
-                !written)
-                return written;
+            CHIRON_TRY(writeSealed(*made, *data, each, quality,
+                                   labels.subject.at(QString::fromStdString(each.participant.code))));
         for (const ExportedRun& run : each.runs) {
             if (run.trials.empty())
                 continue;
@@ -369,12 +360,10 @@ core::Result<void> exportStudyBids(database::StudyReader& reader, database::Conn
             recording.taskDescription =
                 data->blinded ? (data->oneTask ? taskWords(run.condition->task) : QStringLiteral("sealed"))
                               : english(run.condition->title);
-            if (auto written = writeRun(*made, *data, each, run, recording); !written)
-                return written;
+            CHIRON_TRY(writeRun(*made, *data, each, run, recording));
             if (data->blinded)
                 continue;
-            if (auto written = writeSittings(*made, connection, actor, run, recording); !written)
-                return written;
+            CHIRON_TRY(writeSittings(*made, connection, actor, run, recording));
         }
     }
     return made->commit();

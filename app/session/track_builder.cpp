@@ -2,7 +2,6 @@
 #include "session/track_builder.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
 #include "session/level_limits.h"
 #include "session/session_view.h"
 #include "session/trace_mark.h"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace chiron::session {
 
@@ -22,54 +20,12 @@ double normOf(const core::Array6& wrench) {
     return std::hypot(wrench[0], wrench[1], wrench[2]);
 }
 
-/// The stored token of a step, as in PlaybackMark::detail; empty if it is not a step to be done.
-std::string_view tokenOf(core::LaparoscopyStep step) {
-    switch (step) {
-    case core::LaparoscopyStep::grasp:
-        return "grasp";
-    case core::LaparoscopyStep::stretch:
-        return "stretch";
-    case core::LaparoscopyStep::hold:
-        return "hold";
-    case core::LaparoscopyStep::handOver:
-        return "hand_over";
-    case core::LaparoscopyStep::lift:
-        return "lift";
-    case core::LaparoscopyStep::carry:
-        return "carry";
-    case core::LaparoscopyStep::place:
-        return "place";
-    case core::LaparoscopyStep::retract:
-        return "retract";
-    case core::LaparoscopyStep::none:
-    case core::LaparoscopyStep::done:
-        break;
-    }
-    return {};
-}
-
-/// If the steps of a task were recorded, each stage change gets the name of the step that began.
-void nameSteps(PlaybackTrack& track) {
-    const PlaybackQuantity* step = track.quantity("step");
-    if (step == nullptr)
-        return;
-    for (PlaybackMark& mark : track.marks) {
-        if (mark.kind != PlaybackMarkKind::stageChanged)
-            continue;
-        const auto at = std::find_if(track.moments.begin(), track.moments.end(),
-                                     [&](const PlaybackMoment& moment) { return moment.tick >= mark.tick; });
-        if (at != track.moments.end())
-            mark.detail = tokenOf(static_cast<core::LaparoscopyStep>(
-                std::lround(step->values[static_cast<std::size_t>(at - track.moments.begin())])));
-    }
-}
-
 } // namespace
 
 TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces)
     : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
       m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt,
-              yieldLawOf(session.setup().level)) {
+              yieldLawOf(session.setup().level), &session.positions()) {
     m_track.session = session.record().summary.id;
     m_track.exercise = session.setup().level.exercise;
     m_track.level = session.setup().level.number;
@@ -111,7 +67,6 @@ PlaybackTrack TrackBuilder::take() {
     m_track.duration_s = m_now_s;
     m_track.marks = m_marks.take(m_now_s);
     addSpeeds();
-    nameSteps(m_track);
     return std::move(m_track);
 }
 

@@ -161,6 +161,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     LoopReport report =
         request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
     report.passivity_J = (*loop)->passivityKept_J();
+    report.passivityWithheld_J = (*loop)->passivityWithheld_J();
     return report;
 }
 

@@ -189,8 +189,9 @@ std::optional<WorstMoment> byRule(const PlaybackTrack& track, const ExerciseKind
                                   const MomentRule& rule, const scoring::MetricValue& metric) {
     switch (rule.by) {
     case MomentRule::By::largestMark:
-        return rule.marks.empty() ? std::nullopt
-                                  : largestMark(track, rule.marks.front(), rule.factor, rule.unit);
+        return rule.marks.empty()
+                   ? std::nullopt
+                   : largestMark(track, rule.marks.front(), rule.factor, rule.unit, rule.onlyCritical);
     case MomentRule::By::firstMark:
         return firstOf(track, rule.marks, metric);
     case MomentRule::By::largestQuantity:
@@ -203,42 +204,53 @@ std::optional<WorstMoment> byRule(const PlaybackTrack& track, const ExerciseKind
     return std::nullopt;
 }
 
-/// The moment at which a gate on a metric was missed, if it has one: a force, an event, a largest value.
-/// Empty for metrics that are spread over a trial.
-std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::MetricValue& metric) {
-    using enum PlaybackMarkKind;
-    const std::string& id = metric.id;
-    if (id.starts_with("force_"))
-        return largestForce(track);
-    if (id == "critical_errors") {
-        if (auto broken = largestMark(track, yielded, 1.0, "N"))
-            return broken;
-        if (auto broken = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
-            return broken;
-        for (const PlaybackMarkKind kind : {failed, damaged}) // torn is worse than over-stretched
-            if (auto spoiled = firstOf(track, {kind}, metric))
-                return spoiled;
-        // Otherwise a trauma that lasted too long or was too hard, without damage.
-        return largestMark(track, trauma, 1.0, "N", true);
-    }
+/// The moment of the first rule of the exercise that names the metric, among the rules for metrics that are
+/// spread over a trial or among the others.
+std::optional<WorstMoment> byRules(const PlaybackTrack& track, const scoring::MetricValue& metric,
+                                   bool spread) {
     if (const auto kind = exerciseKind(track.exercise))
         for (const MomentRule& rule : (*kind)->momentRules())
-            if (rule.isOf(id)) {
+            if (rule.spread == spread && rule.isOf(metric.id)) {
                 auto worst = byRule(track, **kind, rule, metric);
                 if (worst)
                     worst->wholeTrial = rule.ofWholeTrial;
                 return worst;
             }
-    return largestPeak(track, id);
+    return std::nullopt;
 }
 
-/// The moment for a failed gate on a metric that is spread over a trial: the trial that tore, or the end of
-/// the worst trial.
+/// Where tissue broke, whatever the exercise.
+std::optional<WorstMoment> broken(const PlaybackTrack& track, const scoring::MetricValue& metric) {
+    using enum PlaybackMarkKind;
+    if (auto byForce = largestMark(track, yielded, 1.0, "N"))
+        return byForce;
+    if (auto byTorque = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
+        return byTorque;
+    for (const PlaybackMarkKind kind : {failed, damaged}) // torn is worse than over-stretched
+        if (auto spoiled = firstOf(track, {kind}, metric))
+            return spoiled;
+    return std::nullopt;
+}
+
+/// The moment at which a gate on a metric was missed, if it has one: a force, an event, a largest value.
+/// Empty for metrics that are spread over a trial.
+std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::MetricValue& metric) {
+    if (metric.id.starts_with("force_"))
+        return largestForce(track);
+    if (metric.id == "critical_errors")
+        if (auto worst = broken(track, metric))
+            return worst;
+    if (auto worst = byRules(track, metric, false))
+        return worst;
+    return largestPeak(track, metric.id);
+}
+
+/// The moment for a failed gate on a metric that is spread over a trial: by the exercise's rules, or the end
+/// of the worst trial.
 std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                   const scoring::Gate& gate, const scoring::MetricValue& metric) {
-    if (gate.metric == "procedure_completed")
-        if (auto torn = firstOf(track, {PlaybackMarkKind::failed}, metric))
-            return torn;
+    if (auto worst = byRules(track, metric, true))
+        return worst;
     return worstTrial(track, card, gate);
 }
 

@@ -29,10 +29,10 @@ struct WorstMoment {
 
 /// Locates the worst moment behind a failed gate. Of the failed gates, broken tissue has priority, then the
 /// first gate that has a moment of its own: for a force metric the largest tissue force; for others as
-/// specified by the exercise (ExerciseKind::momentRules, PlaybackTrack::peaks). Only if no gate has one: the
-/// trial in which something tore, or the end of the trial with the worst value. Without a failed gate: the
-/// largest tissue force of all trials. Pauses and the time between trials do not count. Empty for a track
-/// without a trial, and if nothing was touched and no gate has a moment. Pure function.
+/// specified by the exercise (ExerciseKind::momentRules, PlaybackTrack::peaks). Only if no gate has one: as
+/// specified for metrics that are spread over a trial, or the end of the trial with the worst value. Without
+/// a failed gate: the largest tissue force of all trials. Pauses and the time between trials do not count.
+/// Empty for a track without a trial, and if nothing was touched and no gate has a moment. Pure function.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                        std::span<const scoring::Gate> gates);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/yield_cause.h"
 
+#include "session/device_time.h"
 #include "session/exercise_kind.h"
 
 #include <QJsonDocument>
@@ -23,6 +24,13 @@ YieldCause yieldCauseOf(const simulation::YieldLaw& law, const std::string& deta
     const double torque_mNm = detail.value(QLatin1String("torque_mN_m")).toDouble();
     const bool byTorque = gaveWayToTorque(law, force_N, 1e-3 * torque_mNm);
     return {byTorque, byTorque ? torque_mNm : force_N};
+}
+
+std::optional<core::Vec3> yieldPlaceOf(const recording::IPositionOf* positions, int tool,
+                                       const core::ToolFrame& frame) noexcept {
+    if (positions == nullptr || isRefused(frame))
+        return std::nullopt;
+    return positions->p_WT_m(tool, frame);
 }
 
 } // namespace chiron::session

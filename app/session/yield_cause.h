@@ -2,8 +2,12 @@
 #pragma once
 
 #include "catalogue/exercise.h"
+#include "core/geometry.h"
+#include "core/haptic_frame.h"
+#include "recording/position_of.h"
 #include "simulation/yield.h"
 
+#include <optional>
 #include <string>
 
 namespace chiron::session {
@@ -24,5 +28,10 @@ struct YieldCause {
 };
 /// `detailJson`: in the format that EventExtractor writes.
 YieldCause yieldCauseOf(const simulation::YieldLaw& law, const std::string& detailJson);
+
+/// Where tissue gave way: the tip of the tool in the frame of that tick, m, W. No value without `positions`,
+/// or if the packet was refused, whose counts cannot be trusted. Pure function.
+std::optional<core::Vec3> yieldPlaceOf(const recording::IPositionOf* positions, int tool,
+                                       const core::ToolFrame& frame) noexcept;
 
 } // namespace chiron::session

@@ -6,17 +6,12 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
 namespace chiron::session_report {
 
 namespace {
-
-constexpr std::array<const char*, 1> kBandSources{{
-    QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10"),
-}};
 
 QString inLanguage(const QString& text, const char* source) {
     return text == QString::fromUtf8(source) ? QCoreApplication::translate("Metrics", source) : QString();
@@ -76,10 +71,7 @@ QString unitText(const QString& unit) {
 }
 
 QString bandSourceText(const QString& source) {
-    for (const char* known : kBandSources)
-        if (const QString text = inLanguage(source, known); !text.isEmpty())
-            return text;
-    return source;
+    return translated(source.toStdString());
 }
 
 std::optional<double> chanceOf(const std::string& id, const scoring::ScoreCard& card) {

@@ -24,7 +24,7 @@ QString unitText(const QString& unit);
 /// The reason why a metric has no value, from the stored reason (scoring::undefinedOf). An unknown reason
 /// from a later version is returned unchanged.
 QString metricReason(const QString& stored);
-/// The source of a benchmark band.
+/// The source of a benchmark band in the program's language, from the text of its metric's row.
 QString bandSourceText(const QString& source);
 /// The value of a metric, in its unit, that somebody reaches by guessing alone; empty if guessing has no such
 /// value. `card`: the session's own values, for chance levels that depend on the trials

@@ -7,6 +7,7 @@
 #include "database/repositories/site_repository.h"
 #include "recording/digest.h"
 #include "scoring/force_facts.h"
+#include "scoring/metric_catalogue.h"
 #include "session/level_limits.h"
 #include "session_report/exercise_section.h"
 #include "session_report/metric_words.h"
@@ -130,14 +131,14 @@ report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace) {
             facts.beyondCheckedShare()};
 }
 
-/// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
 void addPublishedBand(MetricRow& row, int version) {
-    // Later versions count misses differently, on levels that show the sphere.
-    if (row.id != QLatin1String("apex_error_mean") || version != 1)
+    const scoring::MetricDefinition* metric = scoring::findMetric(row.id.toStdString(), version);
+    if (metric == nullptr || !metric->published)
         return;
-    row.bandLow = 14.2 - 11.3;
-    row.bandHigh = 14.2 + 11.3;
-    row.bandSource = QStringLiteral("published, 5 subjects × 10");
+    row.bandLow = metric->published->low;
+    row.bandHigh = metric->published->high;
+    const std::string_view source = metric->published->source;
+    row.bandSource = QString::fromUtf8(source.data(), static_cast<qsizetype>(source.size()));
 }
 
 core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
@@ -173,8 +174,7 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
 core::Result<ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language) {
     auto head = reportHeadOf(session.record(), session.setup(), connection, actor, language);
-    if (!head)
-        return head;
+    CHIRON_TRY(head);
     ReportData data = std::move(*head);
     CHIRON_TRY(session.decode());
     const scoring::SessionTrace& trace = **session.trace();

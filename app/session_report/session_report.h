@@ -21,8 +21,8 @@ core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& rec
                                               database::Connection& connection, const database::Actor& actor,
                                               const std::string& language);
 
-/// Adds the published benchmark of a metric if there is one; only for sessions whose force was felt. Pure
-/// function.
+/// Adds the published benchmark of a metric in this version if it has one (MetricDefinition::published); only
+/// for sessions whose force was felt. Pure function.
 void addPublishedBand(report::MetricRow& row, int version);
 
 /// The number of trials that came to an end: marked, done, timed out or failed, but not cut off by the end of

@@ -12,13 +12,6 @@ report::TrialOutcome outcomeOf(const scoring::TrialTrace& trial) {
                             : report::TrialOutcome::unfinished;
 }
 
-std::optional<double> truthIn(const scoring::TrialTrace& trial, const char* id) {
-    for (const scoring::NamedValue& value : trial.truth)
-        if (value.id == id)
-            return value.value;
-    return std::nullopt;
-}
-
 const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const char* id) {
     if (trial.tools.empty())
         return nullptr;

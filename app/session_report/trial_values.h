@@ -15,8 +15,6 @@ namespace chiron::session_report {
 // The values of a trace's trial for a report. Pure functions.
 
 report::TrialOutcome outcomeOf(const scoring::TrialTrace& trial);
-/// Empty if the value is not known.
-std::optional<double> truthIn(const scoring::TrialTrace& trial, const char* id);
 /// One value per sample of the first tool; null if it was not recorded in this form.
 const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const char* id);
 

@@ -106,8 +106,7 @@ core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const
     }
     auto preset =
         presetParameters(QDir(folder).filePath(name + QStringLiteral(".json")), key, parameterSchema);
-    if (!preset)
-        return preset;
+    CHIRON_TRY(preset);
     for (auto it = given.begin(); it != given.end(); ++it)
         preset->insert(it.key(), it.value());
     return preset;
@@ -162,8 +161,7 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
     const auto levelSchema = schema(QStringLiteral("level"));
     const auto parameterSchema = schema(QString::fromUtf8(content->parametersSchema.data()));
     for (const auto* read : {&levelSchema, &parameterSchema})
-        if (!*read)
-            return tl::unexpected(read->error());
+        CHIRON_TRY(*read);
     Problems problems;
     QJsonObject resolved = json->root();
     QJsonValue given = resolved["parameters"];

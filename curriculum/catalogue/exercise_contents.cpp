@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/exercise_contents.h"
 
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
+#include "catalogue/comparison_content.h"
 #include "curriculum/exercises/elastic_tube/catalogue/elastic_tube_content.h"
 #include "curriculum/exercises/object_handling/catalogue/object_handling_content.h"
 #include "curriculum/exercises/palpation/catalogue/palpation_content.h"

@@ -48,13 +48,11 @@ core::Result<void> NamedContent::readFolder(const QString& directory,
     const auto file = readSchema(directory + "/schema", QLatin1String(kind.key));
     const auto content = readSchema(directory + "/schema", QLatin1String(kind.contentSchema));
     for (const auto* schema : {&file, &content})
-        if (!*schema)
-            return tl::unexpected(schema->error());
+        CHIRON_TRY(*schema);
     auto texts = ContentTexts::read(folder.path(), languages);
     CHIRON_TRY(texts);
     for (const QFileInfo& path : files)
-        if (auto read = readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content, *texts); !read)
-            return read;
+        CHIRON_TRY(readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content, *texts));
     m_missing.insert(m_missing.end(), texts->missing().begin(), texts->missing().end());
     return texts->finish();
 }

@@ -19,9 +19,6 @@ using psychophysics::Task;
 
 namespace {
 
-constexpr double kLargestSeed = 9007199254740991.0; // 2^53 - 1: a JSON number holds every integer up to here
-                                                    // exactly
-
 /// Returns the tokens of an enumeration, for messages.
 template <class Word, int n> QString tokens() {
     QStringList words;
@@ -169,9 +166,9 @@ std::uint64_t readSeed(const ObjectReader& json) {
     if (!json.has("seed"))
         return StudyDesign{}.seed;
     const double seed = json.number("seed");
-    if (seed < 0.0 || seed > kLargestSeed || seed != std::floor(seed)) {
+    if (seed < 0.0 || seed > static_cast<double>(kLargestSeed) || seed != std::floor(seed)) {
         addProblem(json, "seed", QString::number(seed),
-                   QStringLiteral("a whole number, 0 to 9007199254740991"));
+                   QStringLiteral("a whole number, 0 to %1").arg(static_cast<qulonglong>(kLargestSeed)));
         return 0;
     }
     return static_cast<std::uint64_t>(seed);

@@ -6,6 +6,7 @@
 #include "psychophysics/study/study_design.h"
 
 #include <QByteArray>
+#include <cstdint>
 #include <string>
 
 namespace chiron::catalogue {
@@ -17,6 +18,9 @@ core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const
 /// Reads a study from `document`, which is the content of `file` with translations laid over it. Faults are
 /// reported with their places in the file.
 core::Result<psychophysics::StudyDesign> readStudy(const QJsonObject& document, const JsonFile& file);
+
+/// The largest seed, 2^53 - 1: a JSON number holds every integer up to here exactly.
+inline constexpr std::uint64_t kLargestSeed = 9007199254740991;
 
 /// Writes the canonical JSON of a study: keys sorted, no spaces, every key that applies written out. Reading
 /// and writing it again gives the same bytes.

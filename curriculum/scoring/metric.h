@@ -43,6 +43,13 @@ struct ChanceLevel {
     std::string_view metric{};     ///< id of that metric; empty if there is none
 };
 
+/// What a publication reports of people who felt the force, in the metric's unit: their mean ± SD.
+struct PublishedBand {
+    double low = 0.0;
+    double high = 0.0;
+    std::string_view source{}; ///< who they were, for people, English; marked for translation like a title
+};
+
 /// One metric in one version (models.md §6). It is one row of a file in metrics/, which screens, reports, the
 /// command line and exports read. Filter, rate and thresholds belong to the version: changing any of them
 /// adds a new entry beside the old one, so that stored scores remain explicable and can be recomputed with
@@ -68,6 +75,8 @@ struct MetricDefinition {
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
     ChanceLevel chance{};
+    /// Only in the version that measures what the publication did.
+    std::optional<PublishedBand> published{};
     /// Computes the value over these trials. It is called with one trial for `trials[]`, and with all of them
     /// if aggregate is pooled.
     Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;

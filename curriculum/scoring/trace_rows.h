@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/procedure_stage.h"
 #include "core/session_state.h"
+#include "cues/procedure_stage.h"
 
 #include <cstdint>
 #include <optional>

@@ -76,9 +76,7 @@ core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action
     const auto scope = actor.kind() == ActorKind::person
                            ? scopeOfPerson(connection, actor, action)
                            : core::Result<Scope>(scopeOf(action, actor.kind(), {}));
-    if (!scope) {
-        return scope;
-    }
+    CHIRON_TRY(scope);
     if (*scope == Scope::none) {
         return tl::unexpected(denied(actor, action,
                                      actor.kind() == ActorKind::anonymous

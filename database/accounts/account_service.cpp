@@ -14,9 +14,7 @@ namespace {
 // Overwritten pages may still lie in the file's free space and in the log. VACUUM rebuilds the file, and the
 // checkpoint empties the log.
 core::Result<void> forgetOldPages(Connection& connection) {
-    if (auto vacuumed = connection.execute("VACUUM"); !vacuumed) {
-        return vacuumed;
-    }
+    CHIRON_TRY(connection.execute("VACUUM"));
     const auto busy = selectInteger(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
     CHIRON_TRY(busy);
     if (busy->value_or(1) != 0) {
@@ -176,9 +174,7 @@ core::Result<void> AccountService::mayErase(const Actor& actor, const std::strin
 // the data from the file's free pages.
 core::Result<void> AccountService::makeErasureLast(const core::Result<Erasure>& erased) {
     CHIRON_TRY(erased);
-    if (auto listed = writeErasureList(m_database.siteFolder(), *erased); !listed) {
-        return listed;
-    }
+    CHIRON_TRY(writeErasureList(m_database.siteFolder(), *erased));
     return m_database.writer().runMaintenance(
         [](WriteContext& writing) { return forgetOldPages(writing.connection()); });
 }
@@ -186,9 +182,7 @@ core::Result<void> AccountService::makeErasureLast(const core::Result<Erasure>& 
 core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password,
                                                PersonId person, const std::string& reason,
                                                bool withdrawRecordings) {
-    if (auto may = mayErase(actor, password); !may) {
-        return may;
-    }
+    CHIRON_TRY(mayErase(actor, password));
     return makeErasureLast(m_database.write([&](WriteContext& writing) {
         return PrivacyRepository(writing.connection(), actor).erasePerson(person, reason, withdrawRecordings);
     }));
@@ -197,9 +191,7 @@ core::Result<void> AccountService::erasePerson(const Actor& actor, const std::st
 core::Result<void> AccountService::eraseParticipant(const Actor& actor, const std::string& password,
                                                     ParticipantNumber participant,
                                                     const std::string& reason) {
-    if (auto may = mayErase(actor, password); !may) {
-        return may;
-    }
+    CHIRON_TRY(mayErase(actor, password));
     return makeErasureLast(m_database.write([&](WriteContext& writing) {
         return PrivacyRepository(writing.connection(), actor).eraseParticipant(participant, reason);
     }));

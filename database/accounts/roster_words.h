@@ -26,7 +26,8 @@ enum class RosterColumn : std::uint8_t {
     empty    ///< has no heading
 };
 
-/// Returns the columns of a heading line in English, German or Greek, in any order, case and accentuation.
+/// Returns the columns of a heading line in any language of the program (translations/words), in any order,
+/// case and accentuation.
 std::vector<RosterColumn> rosterColumns(const std::vector<std::string>& headings);
 
 /// Returns how many of these headings are known. A line is read with the delimiter that gives the largest
@@ -37,7 +38,7 @@ int knownHeadings(const std::vector<std::string>& headings);
 /// for cells without a word.
 using RoleWords = std::map<std::string, Role>;
 
-/// Returns the roles that people wrote in one of the three languages, separated by ; , | or line ends.
+/// Returns the roles that people wrote in one of these languages, separated by ; , | or line ends.
 /// Returns none if a word is no role and `own` does not define it.
 std::optional<RoleSet> rolesOfCell(const std::string& cell, const RoleWords& own = {});
 

@@ -65,9 +65,10 @@ struct Roster {
 };
 
 /// Reads the bytes of a list as a spreadsheet saves it (UTF-8, UTF-16, Windows-1252 or -1253; semicolon,
-/// comma or tab; "sep=;") and finds all faults in it; it never fails as a whole. Headings may be English,
-/// German or Greek, in any order: login name, full name (or given and family name), roles, password. The
-/// login name and the roles are required. `own` gives the roles of words that are no role names themselves.
+/// comma or tab; "sep=;") and finds all faults in it; it never fails as a whole. Headings may be in
+/// any language of the program, in any order: login name, full name (or given and family name), roles,
+/// password. The login name and the roles are required. `own` gives the roles of words that are no role names
+/// themselves.
 Roster readRoster(const std::string& bytes, const RoleWords& own = {});
 
 /// Returns badInput naming all faults (at most 20): line, column, value and what was expected.

@@ -72,9 +72,7 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
     CHIRON_TRY(sessions);
     std::string seals;
     for (const SessionId session : *sessions) {
-        if (auto done = overwriteRecording(connection, byWhom, session, seals); !done) {
-            return done;
-        }
+        CHIRON_TRY(overwriteRecording(connection, byWhom, session, seals));
     }
     digests += ",\"sessions\":{" + seals + "}";
     return {};

@@ -24,9 +24,7 @@ std::string newPersonCode() {
 }
 
 core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Action action) {
-    if (auto writer = requireWriter(connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(connection));
     const auto scope = authorise(connection, actor, action);
     return scope ? core::Result<void>() : tl::unexpected(scope.error());
 }
@@ -53,9 +51,7 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
     NewPerson administrator = person;
     administrator.roles = {Role::admin};
     const auto id = insertPerson(administrator);
-    if (!id) {
-        return id;
-    }
+    CHIRON_TRY(id);
     auto stored =
         updateRow(m_connection, "credential", {{"person_id", *id}}, {{"recovery_hash", recoveryCodeHash}});
     return stored ? id : tl::unexpected(stored.error());
@@ -127,30 +123,18 @@ core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) 
 }
 
 core::Result<void> AccountRepository::setEnabled(PersonId id, bool enabled) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::setEnabled); !allowed) {
-        return allowed;
-    }
-    if (auto found = exists(m_connection, id); !found) {
-        return found;
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::setEnabled));
+    CHIRON_TRY(exists(m_connection, id));
     const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"enabled", std::int64_t{enabled}}});
     CHIRON_TRY(row);
-    if (auto kept = keepsAnAdministrator(); !kept) {
-        return kept;
-    }
+    CHIRON_TRY(keepsAnAdministrator());
     return appendAudit(m_connection, m_actor, {enabled ? "enable" : "disable", "person", id, *row, "{}"});
 }
 
 core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::setRoles); !allowed) {
-        return allowed;
-    }
-    if (auto found = exists(m_connection, id); !found) {
-        return found;
-    }
-    if (auto stored = storeRoles(id, roles); !stored) {
-        return stored;
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::setRoles));
+    CHIRON_TRY(exists(m_connection, id));
+    CHIRON_TRY(storeRoles(id, roles));
     return keepsAnAdministrator();
 }
 
@@ -177,28 +161,16 @@ core::Result<void> AccountRepository::keepsAnAdministrator() {
 }
 
 core::Result<void> AccountRepository::changePassword(PersonId id, const std::string& newHash) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::changePassword, id); !allowed) {
-        return allowed;
-    }
-    if (auto stored = storePassword(id, newHash, false); !stored) {
-        return stored;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::changePassword, id));
+    CHIRON_TRY(storePassword(id, newHash, false));
     return appendAudit(m_connection, m_actor, {"changePassword", "credential", id, std::nullopt, "{}"});
 }
 
 core::Result<void> AccountRepository::resetPassword(PersonId id, const std::string& newHash) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::resetPassword); !allowed) {
-        return allowed;
-    }
-    if (auto found = exists(m_connection, id); !found) {
-        return found;
-    }
-    if (auto stored = storePassword(id, newHash, true); !stored) {
-        return stored;
-    }
+    CHIRON_TRY(writeAllowed(m_connection, m_actor, Action::resetPassword));
+    CHIRON_TRY(exists(m_connection, id));
+    CHIRON_TRY(storePassword(id, newHash, true));
     return appendAudit(m_connection, m_actor, {"resetPassword", "credential", id, std::nullopt, "{}"});
 }
 
@@ -210,12 +182,8 @@ core::Result<bool> AccountRepository::hasRecoveryCode(PersonId id) {
 }
 
 core::Result<void> AccountRepository::setRecoveryCode(PersonId id, const std::string& newHash) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::setRecoveryCode, id); !allowed) {
-        return allowed;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::setRecoveryCode, id));
     const auto row = updateRow(m_connection, "credential", {{"person_id", id}}, {{"recovery_hash", newHash}});
     return row ? appendAudit(m_connection, m_actor, {"setRecoveryCode", "credential", id, std::nullopt, "{}"})
                : core::Result<void>(tl::unexpected(row.error()));

@@ -113,15 +113,11 @@ core::Result<Actor> AccountRepository::actorFor(PersonId id) {
 core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt,
                                                      const std::string& newPasswordHash,
                                                      const std::string& newRecoveryCodeHash) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     CHIRON_TRY(authorise(m_connection, m_actor, Action::finishRecovery));
     const auto actor = actorFor(attempt.person);
     CHIRON_TRY(actor);
-    if (auto stored = storePassword(attempt.person, newPasswordHash, false); !stored) {
-        return stored;
-    }
+    CHIRON_TRY(storePassword(attempt.person, newPasswordHash, false));
     const auto row = updateRow(m_connection, "credential", {{"person_id", attempt.person}},
                                {{"recovery_hash", newRecoveryCodeHash}});
     CHIRON_TRY(row);

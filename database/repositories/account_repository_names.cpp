@@ -49,20 +49,14 @@ core::Result<void> AccountRepository::nameIsFree(const std::string& name, Person
 
 core::Result<void> AccountRepository::changeNames(PersonId id, const std::string& name,
                                                   const std::string& displayName) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     CHIRON_TRY(authorise(m_connection, m_actor, Action::changeNames));
     return storeNames("changeNames", id, name, displayName);
 }
 
 core::Result<void> AccountRepository::changeDisplayName(PersonId id, const std::string& displayName) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::changeDisplayName, id); !allowed) {
-        return allowed;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::changeDisplayName, id));
     return storeNames("changeDisplayName", id, std::nullopt, displayName);
 }
 
@@ -84,9 +78,7 @@ core::Result<void> AccountRepository::storeNames(const char* action, PersonId id
     if (!good || (**before == name && shown->value_or("") == displayName)) {
         return good;
     }
-    if (auto kept = keepNames(m_connection, m_actor, id, **before, shown->value_or("")); !kept) {
-        return kept;
-    }
+    CHIRON_TRY(keepNames(m_connection, m_actor, id, **before, shown->value_or("")));
     const auto row = updateRow(m_connection, "person", {{"id", id}},
                                {{"name", name}, {"name_key", nameKey(name)}, {"display_name", displayName}});
     return row ? appendAudit(m_connection, m_actor, {action, "person", id, *row, "{}"})

@@ -20,9 +20,7 @@ public:
                              std::span<const recording::SecondSummary> summaries) override {
         const bool nested =
             m_connection.inTransaction(); // inside a job's transaction, a savepoint undoes only our part
-        if (auto begun = nested ? m_connection.execute("SAVEPOINT chunks") : m_connection.begin(); !begun) {
-            return begun;
-        }
+        CHIRON_TRY(nested ? m_connection.execute("SAVEPOINT chunks") : m_connection.begin());
         const std::int64_t before = m_next;
         auto done = store(chunks, summaries);
         if (done) {
@@ -40,14 +38,10 @@ private:
     core::Result<void> store(std::span<const recording::Chunk> chunks,
                              std::span<const recording::SecondSummary> summaries) {
         for (const recording::Chunk& chunk : chunks) {
-            if (auto done = storeChunk(chunk); !done) {
-                return done;
-            }
+            CHIRON_TRY(storeChunk(chunk));
         }
         for (const recording::SecondSummary& summary : summaries) {
-            if (auto done = storeSummary(summary); !done) {
-                return done;
-            }
+            CHIRON_TRY(storeSummary(summary));
         }
         return {};
     }

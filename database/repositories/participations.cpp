@@ -91,11 +91,8 @@ core::Result<std::vector<PersonParticipation>> participationsOf(Connection& conn
 core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber participant,
                                                           const std::string& reason) {
     CHIRON_TRY(requireWriter(m_connection));
-    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::eraseParticipant,
-                                         StudyPart::participant, participant);
-        !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseForStudy(m_connection, m_actor, Action::eraseParticipant, StudyPart::participant,
+                                 participant));
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
         return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
                     : tl::unexpected(good.error());

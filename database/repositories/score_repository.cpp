@@ -34,9 +34,7 @@ core::Result<void> storeGroup(Connection& connection, std::int64_t set, int tria
                               const std::vector<scoring::MetricValue>& metrics) {
     for (std::size_t i = 0; i < metrics.size(); ++i) {
         const scoring::MetricValue& metric = metrics[i];
-        if (auto good = checkValue(metric); !good) {
-            return good;
-        }
+        CHIRON_TRY(checkValue(metric));
         const auto row =
             insertRow(connection, "score",
                       {{"score_set_id", set},

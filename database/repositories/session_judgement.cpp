@@ -33,9 +33,7 @@ core::Result<void> checkMoment(Connection& connection, SessionId session, std::u
 
 core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
                                    SessionId session) {
-    if (auto writer = requireWriter(connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(connection));
     return authoriseForSession(connection, actor, action, session);
 }
 
@@ -136,9 +134,7 @@ core::Result<void> SessionRepository::reinstateSession(SessionId session, const 
                                      {"reason", reason},
                                      {"reason_hash", toBlob(textDigest(reason))}})
                     : stored;
-    if (!stored) {
-        return stored;
-    }
+    CHIRON_TRY(stored);
     const auto row = updateRow(m_connection, "session", {{"id", session}},
                                {{"state", before->value_or("")},
                                 {"state_before_void", Value()},
@@ -150,9 +146,7 @@ core::Result<void> SessionRepository::reinstateSession(SessionId session, const 
 }
 
 core::Result<void> SessionRepository::setArchived(SessionId session, bool archived) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::setArchived, session); !allowed) {
-        return allowed;
-    }
+    CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::setArchived, session));
     const auto row =
         updateRow(m_connection, "session", {{"id", session}}, {{"archived", std::int64_t{archived}}});
     CHIRON_TRY(row);

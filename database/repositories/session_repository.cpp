@@ -99,10 +99,7 @@ std::vector<Column> columnsOf(SessionId id, const NewSession& setup, std::int64_
 }
 
 core::Result<void> mayRecordFor(Connection& connection, const Actor& actor, std::int64_t run) {
-    if (auto allowed = authoriseForStudy(connection, actor, Action::storeStudyTrial, StudyPart::run, run);
-        !allowed) {
-        return allowed;
-    }
+    CHIRON_TRY(authoriseForStudy(connection, actor, Action::storeStudyTrial, StudyPart::run, run));
     const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {run});
     CHIRON_TRY(state);
     return state->value_or("") == "open"
@@ -122,10 +119,7 @@ core::Result<void> storeSitting(Connection& connection, const Actor& actor, Sess
 
 core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup) {
     CHIRON_TRY(requireWriter(m_connection));
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::beginSession, m_actor.personId());
-        !allowed) {
-        return tl::unexpected(allowed.error());
-    }
+    CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::beginSession, m_actor.personId()));
     CHIRON_TRY(checkSetup(setup));
     if (setup.studyRun != 0) {
         CHIRON_TRY(mayRecordFor(m_connection, m_actor, setup.studyRun));
@@ -159,12 +153,8 @@ core::Result<std::unique_ptr<recording::TrialSink>> SessionRepository::openSink(
 }
 
 core::Result<void> SessionRepository::storeTrial(SessionId session, const TrialRecord& trial) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::storeTrial, session); !allowed) {
-        return allowed;
-    }
-    if (auto running = mustRun(m_connection, session); !running) {
-        return running;
-    }
+    CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::storeTrial, session));
+    CHIRON_TRY(mustRun(m_connection, session));
     if (trial.state == SessionState::running || trial.state == SessionState::voided) {
         return core::fail(core::ErrorCode::badInput,
                           "a trial ends completed, stopped, interrupted, incomplete or faulted");
@@ -183,12 +173,8 @@ core::Result<void> SessionRepository::storeTrial(SessionId session, const TrialR
 }
 
 core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<const EventRecord> events) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::storeEvents, session); !allowed) {
-        return allowed;
-    }
-    if (auto running = mustRun(m_connection, session); !running) {
-        return running;
-    }
+    CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::storeEvents, session));
+    CHIRON_TRY(mustRun(m_connection, session));
     const auto last =
         selectInteger(m_connection, "SELECT max(ordinal) FROM event WHERE session_id = ?", {session});
     CHIRON_TRY(last);
@@ -208,12 +194,8 @@ core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<c
 }
 
 core::Result<void> SessionRepository::finishSession(SessionId session, const SessionEnd& end) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::finishSession, session); !allowed) {
-        return allowed;
-    }
-    if (auto running = mustRun(m_connection, session); !running) {
-        return running;
-    }
+    CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::finishSession, session));
+    CHIRON_TRY(mustRun(m_connection, session));
     if (end.state == SessionState::running || end.state == SessionState::voided) {
         return core::fail(core::ErrorCode::badInput,
                           "a session ends completed, stopped, interrupted, incomplete or faulted");

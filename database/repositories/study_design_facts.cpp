@@ -102,9 +102,7 @@ core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAns
     if (item.isEmpty()) {
         return bad(place + ": the design asks no such question");
     }
-    if (auto shown = checkShown(design, answer, item, place); !shown) {
-        return shown;
-    }
+    CHIRON_TRY(checkShown(design, answer, item, place));
     const QString kind = item["kind"].toString();
     if (kind == "text") {
         return answer.number ? bad(place + ": expected a text")

@@ -216,9 +216,7 @@ core::Result<void> StudyRepository::unblindStudy(StudyNumber study, const std::s
         return core::fail(core::ErrorCode::wrongUse,
                           "study " + stored->key + " is a draft: there is nothing to unblind");
     }
-    if (auto said = checkText("reason", reason, kMaximumReason); !said) {
-        return said;
-    }
+    CHIRON_TRY(checkText("reason", reason, kMaximumReason));
     if (QString::fromStdString(reason).trimmed().isEmpty()) {
         return core::fail(core::ErrorCode::badInput,
                           "reason: none given; expected why study " + stored->key + " is unblinded now");

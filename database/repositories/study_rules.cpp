@@ -65,9 +65,7 @@ std::optional<StudyRunState> studyRunStateFromToken(std::string_view word) noexc
 
 core::Result<void> mayWriteStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
                                  std::int64_t number) {
-    if (auto writer = requireWriter(connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(connection));
     return authoriseForStudy(connection, actor, action, part, number);
 }
 

@@ -216,18 +216,13 @@ core::Result<void> StudyRepository::storeStudyTrial(const StudyTrial& trial) {
     auto good = mayWriteStudy(m_connection, m_actor, Action::storeStudyTrial, StudyPart::run, trial.run);
     good = good ? checkTrial(trial) : good;
     good = good ? followsOn(m_connection, m_actor, trial) : good;
-    if (!good) {
-        return good;
-    }
+    CHIRON_TRY(good);
     const auto row = insertRow(m_connection, "study_trial", columnsOf(trial));
     return row ? core::Result<void>() : tl::unexpected(row.error());
 }
 
 core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState state) {
-    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::finishRun, StudyPart::run, run);
-        !allowed) {
-        return allowed;
-    }
+    CHIRON_TRY(mayWriteStudy(m_connection, m_actor, Action::finishRun, StudyPart::run, run));
     const auto present = selectText(m_connection, "SELECT state FROM study_run WHERE id = ?", {run});
     CHIRON_TRY(present);
     if (present->value_or("") != "open") {
@@ -240,9 +235,7 @@ core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState 
 
 core::Result<void>
 StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers) {
-    if (auto writer = requireWriter(m_connection); !writer) {
-        return writer;
-    }
+    CHIRON_TRY(requireWriter(m_connection));
     CHIRON_TRY(authorise(m_connection, m_actor, Action::storeQuestionnaireAnswers));
     for (const QuestionnaireAnswer& answer : answers) {
         auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers,
@@ -256,9 +249,7 @@ StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer
         good = good ? checkAnswer(*design, answer) : good;
         good = good ? checkRunOf(m_connection, answer) : good;
         good = good ? storeAnswer(m_connection, m_actor, answer) : good;
-        if (!good) {
-            return good;
-        }
+        CHIRON_TRY(good);
     }
     return {};
 }

@@ -81,15 +81,11 @@ core::Result<SchemaVersion> MigrationRunner::inspect(const std::string& file) co
     // The bytes are checked first, so that a foreign or newer file is refused before SQLite touches anything
     // beside it.
     auto header = headerOf(file);
-    if (!header) {
-        return header;
-    }
+    CHIRON_TRY(header);
     auto judged = judge(file, *header, newest());
     CHIRON_TRY(judged);
     auto present = pragmasOf(file);
-    if (!present) {
-        return present;
-    }
+    CHIRON_TRY(present);
     judged = judge(file, *present, newest());
     CHIRON_TRY(judged);
     return present;

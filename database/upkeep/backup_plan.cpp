@@ -72,9 +72,7 @@ core::Result<void> Upkeep::setBackupPlan(Connection& connection, const Actor& ac
                              {{QStringLiteral("on"), plan.on},
                               {QStringLiteral("folder"), text(plan.folder)},
                               {QStringLiteral("keep"), plan.keep}});
-    if (!put) {
-        return put;
-    }
+    CHIRON_TRY(put);
     return appendAudit(connection, actor,
                        {"setBackupPlan", "meta", 0, std::nullopt,
                         std::string("{\"keep\":") + std::to_string(plan.keep) +

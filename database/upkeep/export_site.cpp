@@ -76,9 +76,7 @@ core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const s
                 "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' "
                 "ESCAPE '\\' AND name <> ? ORDER BY name",
                 {std::string(kSecretTable)});
-    if (!tables) {
-        return tables;
-    }
+    CHIRON_TRY(tables);
     std::vector<std::string> files;
     for (const std::string& table : *tables) {
         const std::string name = "tables/" + table + ".jsonl";

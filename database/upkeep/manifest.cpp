@@ -104,9 +104,7 @@ core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteK
 core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key,
                                     const std::atomic<bool>* cancel) {
     auto manifest = readSignedManifest(folder, key);
-    if (!manifest) {
-        return manifest;
-    }
+    CHIRON_TRY(manifest);
     for (const auto& [path, expected] : manifest->files) {
         const auto digest = fileDigest(folder + "/" + path, cancel);
         if (!digest && digest.error().code == core::ErrorCode::cancelled) {

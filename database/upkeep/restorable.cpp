@@ -136,9 +136,7 @@ core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& 
     CHIRON_TRY(erasures);
     const SystemBootClock clock;
     const auto applied = prepare(copy, *actor, key, &clock, *erasures);
-    if (!applied) {
-        return applied;
-    }
+    CHIRON_TRY(applied);
     const auto good = verified(head);
     return good ? applied : core::Result<int>(tl::unexpected(good.error()));
 }

@@ -18,7 +18,7 @@ enum class CommandKind : std::uint16_t {
     rearm = 6,       ///< after a stop or a latched fault
     mark = 7,        ///< a mark by key or click instead of the device's button
     end = 8,         ///< the person ends the session
-    report = 9,      ///< a report about a finding; argument: a report word (report_word.h)
+    report = 9,      ///< a person's report; argument: its word, whose meaning the exercise defines
     present = 10,    ///< next stimulus of a study; argument: a presentation word (presentation_word.h)
     answer = 11,     ///< a participant's answer; argument: the outcome of the task, from 0
 };

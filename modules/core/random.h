@@ -17,7 +17,8 @@ public:
     explicit Random(std::uint64_t seed) noexcept;
 
     /// Returns an independent stream for one purpose: the seed is mixed with a name (FNV-1a, then
-    /// SplitMix64).
+    /// SplitMix64). A name belongs to one source of random numbers: two that share a name and get the same
+    /// seed draw the same numbers.
     static Random stream(std::uint64_t seed, std::string_view purpose) noexcept;
     static std::uint64_t mix(std::uint64_t seed, std::string_view purpose) noexcept;
 

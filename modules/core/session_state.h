@@ -57,10 +57,11 @@ inline constexpr std::uint32_t kContactEnded = 1u << 5;
 inline constexpr std::uint32_t kFinished = 1u << 6;     ///< the last trial ended
 inline constexpr std::uint32_t kCompleted = 1u << 7;    ///< the trial's procedure is done; ends the trial,
                                                         ///< as a mark does
-inline constexpr std::uint32_t kStageChanged = 1u << 8; ///< core::ProcedureStage advanced
-inline constexpr std::uint32_t kLandmarkSeen = 1u << 9; ///< one more landmark was inspected
-inline constexpr std::uint32_t kGrasped = 1u << 10;     ///< an instrument took hold of something
-inline constexpr std::uint32_t kReleased = 1u << 11;    ///< an instrument released something on purpose
+inline constexpr std::uint32_t kStageChanged = 1u << 8; ///< the task went on to its next stage or step; each
+                                                        ///< exercise has its own
+// 1u << 9 belongs to procedures (cues/procedure_stage.h).
+inline constexpr std::uint32_t kGrasped = 1u << 10;  ///< an instrument took hold of something
+inline constexpr std::uint32_t kReleased = 1u << 11; ///< an instrument released something on purpose
 inline constexpr std::uint32_t kSlipped = 1u
                                           << 12; ///< something slipped out of an instrument, or was dropped
 inline constexpr std::uint32_t kDamaged = 1u << 13; ///< a limit of the tissue was exceeded

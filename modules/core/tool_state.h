@@ -16,8 +16,14 @@ inline constexpr std::uint32_t kButtonMark = 1u << 0;    ///< "here it is" (trac
 inline constexpr std::uint32_t kButtonStop = 1u << 1;    ///< stop force immediately
 inline constexpr std::uint32_t kButtonDeadMan = 1u << 2; ///< held by the person: permits force while arming
                                                          ///< by confirmation
-inline constexpr std::uint32_t kButtonReport = 1u << 3;  ///< takes the report word in the upper 16 bits
-                                                         ///< (report_word.h)
+inline constexpr std::uint32_t kButtonReport = 1u << 3;  ///< a report: its word, whose meaning the exercise
+                                                         ///< defines, is in the upper 16 bits
+
+/// Returns the button state that sends the report `word` (a device with a keypad, a scripted hand, a trace
+/// file). A scene takes it at the rising edge of kButtonReport.
+constexpr std::uint32_t reportButtons(std::uint16_t word) noexcept {
+    return kButtonReport | (static_cast<std::uint32_t>(word) << 16);
+}
 
 /// Pose and motion of a tool as a scene sees it. The velocity comes from the program's single estimator in
 /// simulation (models.md §0), never from a driver.

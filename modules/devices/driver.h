@@ -7,10 +7,10 @@
 #include "devices/api/hand_input.h"
 #include "devices/api/trace_point.h"
 #include "mechanisms/gimbal_kinematics.h"
-#include "mechanisms/gimbal_plant_parameters.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 
+#include <any>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -27,7 +27,7 @@ namespace chiron::devices {
 /// Frame: D.
 inline const core::Vec3 kHeldFrom_D{0.0, 0.0, 0.05};
 
-/// Kinematics id of P2's gimbal, the one mechanism whose true parameters a request can give.
+/// Kinematics id of P2's gimbal.
 inline constexpr std::string_view kGimbalHprd = "gimbal_hprd";
 
 /// Type of tool with which an exercise is done.
@@ -36,6 +36,9 @@ enum class ToolShape { point, endoscope, grasper };
 /// Who or what moves the tools of a driver. It determines what a screen asks before a session, and whose
 /// session it is.
 enum class MovedBy { person, scriptedOperator, recording };
+
+/// What a person holds to move the tools of a driver. It determines which movements a screen explains.
+enum class HandKind { mouseAndKeyboard, handle };
 
 /// One tool of a session, as requested from its driver.
 struct ToolRequest {
@@ -60,13 +63,15 @@ struct DriverRequest {
     mechanisms::HandParameters hand; ///< of a scripted operator
     std::uint64_t seed = 1;          ///< seed of its tremor
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< how a gimbal renders force
-    /// Share of the Coulomb friction that is fed forward, 0 to 0.8.
+    /// Share of the Coulomb friction that is fed forward, 0..kMostFrictionCompensation.
     double frictionCompensation = 0.0;
     /// Tools of one hand that share an arm: tool = hand · fingersPerHand + finger.
     int fingersPerHand = 1;
     double fingerSpacing_m = 0.0; ///< distance from one pad to the next
-    /// True parameters of a simulated gimbal, read while it is opened; null: the default ones.
-    const mechanisms::GimbalPlantParameters* gimbal = nullptr;
+    /// True parameters of a simulated mechanism, of the type that this mechanism's plant has
+    /// (mechanisms::GimbalPlantParameters, FiveBarPlantParameters, FingertipArmParameters); those of another
+    /// one are refused. Empty: the usual ones.
+    std::any plant{};
 };
 
 /// A device that a driver has made. It is not open yet (IDevice::open()).
@@ -117,6 +122,8 @@ struct Driver {
     std::string_view name{};
     /// A sentence on what must be present and what to do with it; marked likewise. Empty: `needs` is shown.
     std::string_view readiness{};
+    /// For MovedBy::person. Mouse and keyboard: open() returns mailboxes as input.
+    HandKind hand = HandKind::handle;
 };
 
 /// Returns the driver's kinematics with this id, or nullptr.

@@ -10,7 +10,7 @@
 namespace chiron::devices {
 
 namespace {
-constexpr std::array<const Driver*, 3> kDrivers{
+constexpr std::array kDrivers{
     &kSimulatedDriver,
     &kKeyboardMouseDriver,
     &kReplayDriver,

@@ -29,6 +29,7 @@ struct ToolDisplay {
     std::array<double, 3> safeDisplay{}; ///< the same after the supervisor
     std::uint32_t buttons = 0;
     std::uint32_t age_us = 0;
+    std::uint8_t contact = 0; ///< core::contact_bits of this tick
     bool measuredValid = false;
     bool rendersForce = false;
     bool enabled = false;    ///< motors on

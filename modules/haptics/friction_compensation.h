@@ -24,15 +24,11 @@ namespace chiron::haptics {
 /// rising with speed faster than four times the viscous friction, which a light hand (2 N·s/m) on the
 /// mechanism still outweighs; a steeper rise would make slow motion stick and slip.
 ///
-/// kMost is 0.8 because friction that was identified within 1 % (mechanisms/friction_identification.h)
-/// changes by a tenth and more with temperature, load and wear, and overcompensation moves the tool by
-/// itself.
-///
 /// Pure: a function of sample and rates.
 /// Thread: haptic; construction from a descriptor is set-up.
 class FrictionCompensation {
 public:
-    static constexpr double kMost = 0.8;        ///< largest c
+    static constexpr double kMost = devices::kMostFrictionCompensation; ///< largest c
     static constexpr double kSteepest = 4.0;    ///< largest slope of the help, in multiples of the viscous
                                                 ///< friction
     static constexpr double kWindow_s = 0.015;  ///< window of the velocity estimate

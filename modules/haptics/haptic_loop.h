@@ -69,6 +69,7 @@ public:
     const LoopStatistics& statistics() const noexcept { return m_statistics; } ///< only while no tick runs
     /// Energy that the passivity controller has withheld from people so far, J in W; only while no tick runs.
     double passivityKept_J() const noexcept { return m_safe.energyKept_J; }
+    double passivityWithheld_J() const noexcept { return m_safe.energyWithheld_J; } ///< likewise, unsigned
     std::uint64_t droppedFrames() const noexcept { return m_droppedFrames; } ///< only while no tick runs
 
 private:

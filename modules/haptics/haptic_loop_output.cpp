@@ -76,6 +76,7 @@ ToolDisplay HapticLoop::displayOf(std::size_t i) const noexcept {
     shown.safeDisplay = arrayOf(safe.display);
     shown.buttons = state.buttons;
     shown.age_us = in.age_us;
+    shown.contact = m_out.contact[i];
     shown.measuredValid = (in.sample.status & core::sample_status::kMeasuredForce) != 0;
     shown.rendersForce = m_supervisor.rendersForce(static_cast<int>(i));
     shown.enabled = safe.enabled;

@@ -39,7 +39,7 @@ void PassivityController::reset(const SafetySettings& settings) noexcept {
     m_bodyOf = {};
     m_used = {};
     m_smoothed = {};
-    m_kept_J = 0.0;
+    m_kept_J = m_withheld_J = 0.0;
 }
 
 double PassivityController::supplied_J() const noexcept {
@@ -106,6 +106,7 @@ bool PassivityController::apply(const Limits& limits, int count, const core::Too
         const double work_J = core::kTickSeconds * ((asked[i].force - wrenches[i].force).dot(state.v_WT) +
                                                     (asked[i].torque - wrenches[i].torque).dot(state.w_WT));
         m_kept_J += std::isfinite(work_J) ? work_J : 0.0;
+        m_withheld_J += std::isfinite(work_J) ? std::max(0.0, work_J) : 0.0;
     }
     return injected;
 }

@@ -124,6 +124,9 @@ public:
     /// Energy withheld from people since reset(): the work of the requested wrenches minus the work of those
     /// that were let through, computed with the tools' estimated velocities; J in W.
     double kept_J() const noexcept { return m_kept_J; }
+    /// The same without what people were spared: the sum of its positive parts. What a softer body, or
+    /// damping, spared them (they push against less) is withheld_J() − kept_J().
+    double withheld_J() const noexcept { return m_withheld_J; }
 
     /// Returns g U s(2-s), or its form with a knee, summed over the tools' shares.
     static double renderedEnergy_J(const PassivityContact& contact, double gain, int count) noexcept;
@@ -166,6 +169,7 @@ private:
     std::array<bool, core::kMaxTools> m_used{}; ///< bodies with members
     std::array<Smoothed, core::kMaxTools> m_smoothed{};
     double m_kept_J = 0.0;
+    double m_withheld_J = 0.0;
 };
 
 } // namespace chiron::haptics

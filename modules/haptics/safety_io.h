@@ -70,7 +70,8 @@ struct SafetyOutput {
     double gain = 0.0;       ///< 0..1, for the screen
     double energySupplied_J = 0.0; ///< see core::TickHeader
     double energyStored_J = 0.0;
-    double energyKept_J = 0.0; ///< PassivityController::kept_J()
+    double energyKept_J = 0.0;     ///< PassivityController::kept_J()
+    double energyWithheld_J = 0.0; ///< PassivityController::withheld_J()
     /// Balance of the passivity stage itself: supplied energy, including what was credited, forgiven and cut
     /// (passivity_controller.h).
     double energyBook_J = 0.0;

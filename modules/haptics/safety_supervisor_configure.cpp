@@ -137,13 +137,9 @@ core::Result<void> SafetySupervisor::configure(const SafetySettings& settings,
         return core::fail(ErrorCode::badInput, "safety supervisor: " + std::to_string(tools.size()) +
                                                    " tools; 1 to 4 are possible");
     }
-    if (auto sound = checkSettings(settings); !sound) {
-        return sound;
-    }
+    CHIRON_TRY(checkSettings(settings));
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        if (auto sound = checkTool(tools[i], i); !sound) {
-            return sound;
-        }
+        CHIRON_TRY(checkTool(tools[i], i));
     }
     m_settings = settings;
     m_count = static_cast<int>(tools.size());

@@ -223,6 +223,7 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
     m_passivity.hold(in.states, commanded);
     out.energySupplied_J = m_passivity.work_J();
     out.energyKept_J = m_passivity.kept_J();
+    out.energyWithheld_J = m_passivity.withheld_J();
     out.energyBook_J = m_passivity.supplied_J();
     out.energyStored_J = m_passivity.stored_J();
     out.paused = m_machine.paused();

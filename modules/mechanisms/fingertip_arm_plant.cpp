@@ -121,9 +121,8 @@ double FingertipArmPlant::energy_J() const noexcept {
         const auto i = static_cast<std::size_t>(joint);
         const double beyond =
             m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
-        energy += 0.5 * (m_parameters.friction[i].bristleStiffness * m_friction[i].bristle() *
-                             m_friction[i].bristle() +
-                         m_parameters.stopStiffness[i] * beyond * beyond);
+        energy += m_friction[i].energy_J(m_parameters.friction[i]) +
+                  0.5 * m_parameters.stopStiffness[i] * beyond * beyond;
     }
     const double pinch = m_fingers_rad - m_q[kJaw];
     return energy + 0.5 * m_parameters.fingerStiffness_Nm_per_rad * pinch * pinch;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
 #include "mechanisms/fingertip_arm_parameters.h"
 
 #include <cstdint>
@@ -19,8 +20,9 @@ struct FingertipArmPublished {
 
 /// How finely the arm is checked.
 struct FingertipArmVerificationSettings {
-    int grid = 8;                                         ///< steps along each edge of the box, > 0
-    std::vector<double> speeds_m_per_s{0.02, 0.05, 0.20}; ///< speeds at which the pad is moved, each > 0
+    int grid = 8; ///< steps along each edge of the box, 1..50
+    /// Speeds at which the pad is moved: at least one, each 0.005..1.
+    std::vector<double> speeds_m_per_s{0.02, 0.05, 0.20};
 };
 
 /// Requirements on the arm. P3 gives no numbers, so each bound has its reason beside it.
@@ -71,13 +73,16 @@ struct FingertipArmVerification {
     /// Largest distance of the pad from the position that the encoders report, noise and run-out included.
     double place_m = 0.0;
 
-    double frictionError() const noexcept; ///< largest |felt − given| / given
+    /// Returns the largest |felt − given| / given; not a number if one is not.
+    double frictionError() const noexcept;
     bool holds() const noexcept;
 };
 
 /// Verifies P3's arm with its own kinematics, dynamics and sensors over the box that sessions use. `seed` is
 /// that of the encoders' run-out and noise. The same seed gives the same bits. Allocates; not for the tick.
-FingertipArmVerification verifyFingertipArm(const FingertipArmParameters& parameters, std::uint64_t seed,
-                                            const FingertipArmVerificationSettings& settings = {});
+/// Errors: badInput for settings out of range.
+core::Result<FingertipArmVerification>
+verifyFingertipArm(const FingertipArmParameters& parameters, std::uint64_t seed,
+                   const FingertipArmVerificationSettings& settings = {});
 
 } // namespace chiron::mechanisms

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace chiron::mechanisms {
@@ -21,6 +22,19 @@ constexpr int kArmJoints = FingertipArmParameters::kJoints;
 constexpr int kArmHandle = FingertipArmParameters::kHandle;
 constexpr int kPoseJoints = 6; // the seventh is the lever
 constexpr double kDifference_rad = 1e-6;
+
+core::Result<void> checked(const FingertipArmVerificationSettings& s) {
+    const auto refuse = [](const char* what) {
+        return core::fail(core::ErrorCode::badInput, std::string("fingertip arm verification: ") + what);
+    };
+    if (!(s.grid >= 1 && s.grid <= 50))
+        return refuse("1 to 50 steps along each edge of the box are expected");
+    // The slower the pad, the longer it takes; at zero it would never arrive.
+    if (s.speeds_m_per_s.empty() || !std::all_of(s.speeds_m_per_s.begin(), s.speeds_m_per_s.end(),
+                                                 [](double v) { return v >= 0.005 && v <= 1.0; }))
+        return refuse("at least one speed is expected, each 0.005 to 1 m/s");
+    return {};
+}
 
 /// Visits corners, edges, faces and inside of the box that sessions use.
 template <class Visit> void overTheBox(const FingertipArmParameters& p, int steps, Visit&& visit) {
@@ -164,8 +178,12 @@ std::pair<double, double> drag(const FingertipArmParameters& p, int axis, double
 
 double FingertipArmVerification::frictionError() const noexcept {
     double worst = 0.0;
-    for (const FingertipArmDrag& one : drags)
-        worst = std::max(worst, std::abs(one.felt_N - one.given_N) / one.given_N);
+    for (const FingertipArmDrag& one : drags) {
+        const double error = std::abs(one.felt_N - one.given_N) / one.given_N;
+        if (std::isnan(error))
+            return error; // which no bound holds: std::max would pass over it
+        worst = std::max(worst, error);
+    }
     return worst;
 }
 
@@ -179,8 +197,10 @@ bool FingertipArmVerification::holds() const noexcept {
            place_m <= Bounds::kPlace_m;
 }
 
-FingertipArmVerification verifyFingertipArm(const FingertipArmParameters& parameters, std::uint64_t seed,
-                                            const FingertipArmVerificationSettings& settings) {
+core::Result<FingertipArmVerification> verifyFingertipArm(const FingertipArmParameters& parameters,
+                                                          std::uint64_t seed,
+                                                          const FingertipArmVerificationSettings& settings) {
+    CHIRON_TRY(checked(settings));
     FingertipArmVerification v;
     v.encoderBits = parameters.encoderBits;
     v.countLeast_m = v.massLeast_kg = 1e9;

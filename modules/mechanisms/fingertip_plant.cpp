@@ -89,9 +89,7 @@ double FingertipPlant::energy_J() const noexcept {
                     0.5 * m_pose.vector().dot(m_band.cwiseProduct(m_pose.vector()));
     for (int i = 0; i < 3; ++i)
         energy += 0.5 * m_p.drive.gearStiffness_N_per_m * gearStretch(i) * gearStretch(i) +
-                  0.5 * m_p.drive.friction.bristleStiffness *
-                      m_friction[static_cast<std::size_t>(i)].bristle() *
-                      m_friction[static_cast<std::size_t>(i)].bristle();
+                  m_friction[static_cast<std::size_t>(i)].energy_J(m_p.drive.friction);
     return energy;
 }
 

@@ -99,7 +99,7 @@ FingertipImu::FingertipImu(const FingertipImuParameters& parameters, std::uint64
 }
 
 void FingertipImu::reset() noexcept {
-    m_random = core::Random::stream(m_seed, "fingertip/imu");
+    m_random = core::Random::stream(m_seed, "fingertip/platform_imu");
     for (double& bias : m_bias)
         bias = m_p.bias_rad * m_random.normal();
     for (MarkovNoise& noise : m_noise)

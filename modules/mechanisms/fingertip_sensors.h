@@ -56,7 +56,8 @@ private:
     int m_until = 0;
 };
 
-/// Pitch and roll of the platform from its own IMU: constant bias, noise, at its own rate.
+/// Pitch and roll of the platform from its own IMU: constant bias, noise, at its own rate. Its errors are
+/// independent of those of the handle's IMU (attitude_sensor.h) with the same seed.
 class FingertipImu {
 public:
     FingertipImu(const FingertipImuParameters& parameters, std::uint64_t seed) noexcept;

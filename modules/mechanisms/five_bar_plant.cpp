@@ -64,12 +64,16 @@ void FiveBarPlant::beginTick(const AxisEfforts& render, bool enabled) noexcept {
     }
 }
 
+double FiveBarPlant::beyondStop(int axis) const noexcept {
+    const auto i = static_cast<std::size_t>(axis);
+    return m_q[axis] - std::clamp(m_q[axis], m_parameters.minimum[i], m_parameters.maximum[i]);
+}
+
 FiveBarVector FiveBarPlant::stopTorques() const noexcept {
     FiveBarVector tau = FiveBarVector::Zero();
     for (int axis = 0; axis < kAxes; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const double beyond =
-            m_q[axis] - std::clamp(m_q[axis], m_parameters.minimum[i], m_parameters.maximum[i]);
+        const double beyond = beyondStop(axis);
         if (beyond == 0.0)
             continue;
         const double inwards = beyond * m_rates[axis] > 0.0 ? m_rates[axis] : 0.0; // no pull on the way out
@@ -120,8 +124,11 @@ double FiveBarPlant::energy_J() const noexcept {
     for (int axis = 0; axis < kAxes; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
         const double stretch = m_motorAngle[axis] - m_q[axis];
+        const double beyond = beyondStop(axis);
         energy += 0.5 * (m_parameters.tendonStiffness[i] * stretch * stretch +
-                         m_parameters.rotorInertia[i] * m_motorRate[axis] * m_motorRate[axis]);
+                         m_parameters.rotorInertia[i] * m_motorRate[axis] * m_motorRate[axis] +
+                         m_parameters.stopStiffness[i] * beyond * beyond) +
+                  m_friction[i].energy_J(m_parameters.friction[i]);
     }
     return energy;
 }

@@ -41,10 +41,11 @@ public:
     const FiveBarVector& q() const noexcept { return m_q; }
     const FiveBarVector& rates() const noexcept { return m_rates; }
     const FiveBarVector& motorAngles() const noexcept { return m_motorAngle; }
-    /// Energy of links, endoscope, rotors, unbalanced weight and tendons.
+    /// Energy of links, endoscope, rotors, unbalanced weight, tendons, bristles and stops.
     double energy_J() const noexcept;
 
 private:
+    double beyondStop(int axis) const noexcept; ///< signed, 0 within the travel
     FiveBarVector stopTorques() const noexcept;
 
     FiveBarPlantParameters m_parameters;

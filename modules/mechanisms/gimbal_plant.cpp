@@ -51,7 +51,10 @@ double GimbalPlant::energy_J() const noexcept {
     const double weight = m_parameters.instrumentMass_kg * core::kStandardGravity;
     const double s = m_q.d - m_parameters.centreOfMassBehindTip_m;
     const double kinetic = 0.5 * m_rates.dot(inertia(m_q).cwiseProduct(m_rates));
-    return kinetic - weight * s * m_ch * m_cp + weight * m_parameters.counterbalance * m_q.d;
+    double energy = kinetic - weight * s * m_ch * m_cp + weight * m_parameters.counterbalance * m_q.d;
+    for (std::size_t axis = 0; axis < m_friction.size(); ++axis)
+        energy += m_friction[axis].energy_J(m_parameters.friction[axis]);
+    return energy;
 }
 
 GimbalCoordinates GimbalPlant::sensed() const noexcept {

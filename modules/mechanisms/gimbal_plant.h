@@ -63,7 +63,7 @@ public:
     GimbalVector inertia(const GimbalCoordinates& q) const noexcept; ///< diagonal of M
     GimbalVector
     gravity(const GimbalCoordinates& q) const noexcept; ///< ∂V/∂q of the instrument, spring included
-    double energy_J() const noexcept;                   ///< kinetic + gravity + spring
+    double energy_J() const noexcept;                   ///< kinetic + gravity + spring + bristles
 
 private:
     GimbalVector coriolisAndWeight(double across, double acrossPerMetre) const noexcept;

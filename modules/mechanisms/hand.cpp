@@ -11,10 +11,14 @@ namespace chiron::mechanisms {
 using core::Vec3;
 
 Hand::Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass_kg) noexcept
-    : m_parameters(parameters), m_random(core::Random::stream(seed, "hand/tremor")),
-      m_tremor(parameters.tremorRms_m, m_random), m_movedMass_kg(parameters.mass_kg + toolMass_kg),
+    : m_parameters(parameters), m_seed(seed), m_tremor(tremorFromStart()),
+      m_movedMass_kg(parameters.mass_kg + toolMass_kg),
       m_delay_ticks(static_cast<std::size_t>(std::clamp(
           std::lround(parameters.reactionDelay_s / core::kTickSeconds), 0L, static_cast<long>(kLine) - 1))) {}
+
+Tremor Hand::tremorFromStart() const noexcept {
+    return {m_parameters.tremorRms_m, core::Random::stream(m_seed, "hand/tremor")};
+}
 
 void Hand::reset(const Vec3& p_D, const core::Quat& q_D) noexcept {
     HandIntention stay;
@@ -23,6 +27,8 @@ void Hand::reset(const Vec3& p_D, const core::Quat& q_D) noexcept {
     m_line.fill(stay);
     m_acting = stay;
     m_next = 0;
+    m_tremor = tremorFromStart();
+    m_tremorForce = Vec3::Zero();
     m_p = p_D;
     m_v = Vec3::Zero();
 }

@@ -24,7 +24,7 @@ class Hand {
 public:
     Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass_kg) noexcept;
 
-    /// Places the hand at rest at this pose, with the intention to stay there.
+    /// Places the hand at rest at this pose, with the intention to stay there; the tremor begins anew.
     void reset(const core::Vec3& p_D, const core::Quat& q_D = core::Quat::Identity()) noexcept;
     /// Starts a tick: the operator's newest intention enters the delay line, the delayed one takes effect,
     /// and the tremor advances.
@@ -39,9 +39,11 @@ public:
     const HandIntention& acting() const noexcept { return m_acting; }
 
 private:
+    Tremor tremorFromStart() const noexcept;
+
     static constexpr std::size_t kLine = 512;
     HandParameters m_parameters;
-    core::Random m_random;
+    std::uint64_t m_seed;
     Tremor m_tremor;
     double m_movedMass_kg;
     std::size_t m_delay_ticks;

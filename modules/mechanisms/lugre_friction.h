@@ -28,6 +28,8 @@ public:
         return -(p.bristleStiffness * m_z + p.bristleDamping * (m_z - before) / dt_s);
     }
     double bristle() const noexcept { return m_z; }
+    /// Energy stored in the bristle, ½ σ0 z².
+    double energy_J(const LugreParameters& p) const noexcept { return 0.5 * p.bristleStiffness * m_z * m_z; }
     void reset() noexcept { m_z = 0.0; }
 
 private:

@@ -7,7 +7,7 @@
 
 namespace chiron::mechanisms {
 
-Tremor::Tremor(double rmsPerAxis_m, core::Random& random) noexcept {
+Tremor::Tremor(double rmsPerAxis_m, core::Random random) noexcept {
     const double amplitude = rmsPerAxis_m * std::sqrt(2.0 / kSines); // each sine carries rms²/kSines
     for (auto& axis : m_phasors) {
         for (Phasor& phasor : axis) {

@@ -13,7 +13,7 @@ namespace chiron::mechanisms {
 /// rotating phasor (no sin or cos per tick), whose velocity and acceleration are exact.
 class Tremor {
 public:
-    Tremor(double rmsPerAxis_m, core::Random& random) noexcept;
+    Tremor(double rmsPerAxis_m, core::Random random) noexcept;
     void advance() noexcept; ///< advances by one tick of 1 ms
     const core::Vec3& displacement_m() const noexcept { return m_displacement; }
     const core::Vec3& velocity() const noexcept { return m_velocity; }         ///< m/s

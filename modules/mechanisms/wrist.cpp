@@ -9,13 +9,18 @@ using core::Quat;
 using core::Vec3;
 
 Wrist::Wrist(const HandParameters& parameters, std::uint64_t seed, double toolInertia_kgm2) noexcept
-    : m_parameters(parameters), m_random(core::Random::stream(seed, "hand/wrist_tremor")),
-      m_tremor(parameters.wristTremorRms_rad, m_random),
+    : m_parameters(parameters), m_seed(seed), m_tremor(tremorFromStart()),
       m_movedInertia_kgm2(parameters.wristInertia_kgm2 + toolInertia_kgm2) {}
+
+Tremor Wrist::tremorFromStart() const noexcept {
+    return {m_parameters.wristTremorRms_rad, core::Random::stream(m_seed, "hand/wrist_tremor")};
+}
 
 void Wrist::reset(const Quat& q_D) noexcept {
     m_q = m_wanted = q_D;
     m_w = m_wantedRate = Vec3::Zero();
+    m_tremor = tremorFromStart();
+    m_tremorTorque = Vec3::Zero();
 }
 
 void Wrist::beginTick(const HandIntention& acting) noexcept {

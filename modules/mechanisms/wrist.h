@@ -23,8 +23,9 @@ public:
     /// `toolInertia_kgm2`: of the held tool, so that tremor moves the free hand by its displacement.
     Wrist(const HandParameters& parameters, std::uint64_t seed, double toolInertia_kgm2) noexcept;
 
-    void reset(const core::Quat& q_D) noexcept; ///< at rest at this orientation, with the intention to stay
-                                                ///< there
+    /// Places the wrist at rest at this orientation, with the intention to stay there; the tremor begins
+    /// anew.
+    void reset(const core::Quat& q_D) noexcept;
     /// Starts a tick with the intention that acts now (Hand::acting()); the tremor advances.
     void beginTick(const HandIntention& acting) noexcept;
     core::Vec3 gripTorqueOnTool(const core::Quat& q_DT, const core::Vec3& w_DT) const noexcept; ///< N·m, D
@@ -35,8 +36,10 @@ public:
     const core::Vec3& w_D() const noexcept { return m_w; }
 
 private:
+    Tremor tremorFromStart() const noexcept;
+
     HandParameters m_parameters;
-    core::Random m_random;
+    std::uint64_t m_seed;
     Tremor m_tremor; ///< its displacement is an angle here
     double m_movedInertia_kgm2;
     core::Quat m_wanted = core::Quat::Identity();

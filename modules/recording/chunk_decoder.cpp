@@ -89,15 +89,13 @@ void ChunkDecoder::addReference(std::size_t channel, std::span<const std::int64_
 }
 
 core::Result<void> ChunkDecoder::decodeAll(const Chunk& chunk) {
-    if (auto opened = openPayload(chunk); !opened)
-        return opened;
+    CHIRON_TRY(openPayload(chunk));
     const std::size_t n = chunk.frames;
     m_values.resize(m_fields.size() * n);
     const std::span<std::int64_t> all(m_values);
     for (std::size_t c = 0; c < m_fields.size(); ++c) {
         const auto values = all.subspan(c * n, n);
-        if (auto decoded = decodeColumn(chunk, c, values); !decoded)
-            return decoded;
+        CHIRON_TRY(decodeColumn(chunk, c, values));
         if (refers(chunk, c))
             addReference(c, all.subspan(static_cast<std::size_t>(m_table.channels()[c].reference) * n, n),
                          values);
@@ -127,8 +125,7 @@ core::Result<void> ChunkDecoder::fill(const Chunk& chunk, std::size_t row, core:
 }
 
 core::Result<void> ChunkDecoder::decode(const Chunk& chunk, std::vector<core::HapticFrame>& frames) {
-    if (auto decoded = decodeAll(chunk); !decoded)
-        return decoded;
+    CHIRON_TRY(decodeAll(chunk));
     const std::size_t before = frames.size();
     frames.resize(before + chunk.frames);
     const auto added = std::span(frames).subspan(before);
@@ -146,14 +143,12 @@ core::Result<void> ChunkDecoder::decode(const Chunk& chunk, std::vector<core::Ha
 }
 
 core::Result<core::HapticFrame> ChunkDecoder::decodeTick(const Chunk& chunk, std::uint64_t tick) {
-    if (auto decoded = decodeAll(chunk); !decoded)
-        return tl::unexpected(decoded.error());
+    CHIRON_TRY(decodeAll(chunk));
     for (std::size_t row = 0; m_tickChannel < m_fields.size() && row < chunk.frames; ++row) {
         if (static_cast<std::uint64_t>(m_values[m_tickChannel * chunk.frames + row]) != tick)
             continue;
         core::HapticFrame frame;
-        if (auto filled = fill(chunk, row, frame); !filled)
-            return tl::unexpected(filled.error());
+        CHIRON_TRY(fill(chunk, row, frame));
         return frame;
     }
     return core::fail(core::ErrorCode::notFound,
@@ -162,8 +157,7 @@ core::Result<core::HapticFrame> ChunkDecoder::decodeTick(const Chunk& chunk, std
 
 core::Result<void> ChunkDecoder::decodeChannel(const Chunk& chunk, std::size_t channel,
                                                std::vector<std::int64_t>& counts) {
-    if (auto opened = openPayload(chunk); !opened)
-        return opened;
+    CHIRON_TRY(openPayload(chunk));
     const std::size_t before = counts.size();
     counts.resize(before + chunk.frames);
     const auto values = std::span(counts).subspan(before);

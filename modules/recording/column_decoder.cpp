@@ -63,8 +63,7 @@ core::Result<void> ColumnDecoder::decode(std::span<const std::uint8_t> bytes, st
     const auto mode = static_cast<std::uint8_t>(bytes[0] & ~kReferred);
     if (mode != static_cast<std::uint8_t>(ColumnMode::zstd))
         return decodePlain(mode, bytes, offset, values);
-    if (const auto inflated = inflate(bytes, offset, values.size()); !inflated)
-        return inflated;
+    CHIRON_TRY(inflate(bytes, offset, values.size()));
     return decodePlain(m_plain[0], m_plain, offset, values);
 }
 

@@ -23,8 +23,7 @@ CrashRing::~CrashRing() = default;
 
 core::Result<std::unique_ptr<CrashRing>> CrashRing::create(const RingSettings& settings) {
     auto file = RingFile::create(settings);
-    if (!file)
-        return tl::unexpected(file.error());
+    CHIRON_TRY(file);
     return std::unique_ptr<CrashRing>(new CrashRing(std::move(*file)));
 }
 

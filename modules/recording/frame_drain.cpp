@@ -11,11 +11,18 @@ FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder)
     : m_ring(ring), m_recorder(recorder), m_frames(kFramesAtOnce) {}
 
 core::Result<void> FrameDrain::take() {
-    while (const std::size_t count = m_ring.read(m_frames)) {
-        if (auto added = m_recorder.add(std::span<const core::HapticFrame>(m_frames).first(count)); !added)
-            return added;
+    for (;;) {
+        if (m_first == m_last) {
+            m_first = 0;
+            m_last = m_ring.read(m_frames);
+            if (m_last == 0)
+                return {};
+        }
+        const std::uint64_t before = m_recorder.framesTaken();
+        const auto added = m_recorder.add(std::span(m_frames).subspan(m_first, m_last - m_first));
+        m_first += static_cast<std::size_t>(m_recorder.framesTaken() - before);
+        CHIRON_TRY(added);
     }
-    return {};
 }
 
 // Damaged slots are not among the recorder's frames. If there are any, the mark lags by as many; it never
@@ -25,18 +32,15 @@ void FrameDrain::commit() noexcept {
 }
 
 core::Result<void> FrameDrain::drain(std::int64_t now_ns) {
-    if (auto taken = take(); !taken)
-        return taken;
-    if (auto closed = m_recorder.closeOld(now_ns); !closed)
-        return closed;
+    CHIRON_TRY(take());
+    CHIRON_TRY(m_recorder.closeOld(now_ns));
     auto written = m_recorder.write();
     commit();
     return written;
 }
 
 core::Result<void> FrameDrain::finish() {
-    if (auto taken = take(); !taken)
-        return taken;
+    CHIRON_TRY(take());
     auto written = m_recorder.finish();
     commit();
     return written;

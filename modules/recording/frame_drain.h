@@ -6,6 +6,7 @@
 #include "recording/recorder.h"
 #include "recording/ring_drain.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,8 @@ public:
 
     /// Takes the new frames, writes closed chunks, and frees the slots of stored frames. now_ns is in the
     /// clock of TickHeader::now_ns.
-    /// Errors: those of the sink; no frame is lost until the ring overflows, and the next call tries again.
+    /// Errors: those of the recorder and of the sink; no frame is lost until the ring overflows, and the next
+    /// call tries again.
     core::Result<void> drain(std::int64_t now_ns);
     /// For use after the last push: takes all frames, closes the chunk and writes it. May be repeated after
     /// an Error.
@@ -35,7 +37,10 @@ private:
 
     RingDrain m_ring;
     Recorder& m_recorder;
-    std::vector<core::HapticFrame> m_frames;
+    std::vector<core::HapticFrame> m_frames; ///< as last read from the ring
+    /// Those of them that the recorder has not taken yet: from the first to before the last. None is read
+    /// from the ring while there are any.
+    std::size_t m_first = 0, m_last = 0;
 };
 
 } // namespace chiron::recording

@@ -19,15 +19,13 @@ Recorder::Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink&
 
 core::Result<void> Recorder::resume(ChunkSource& stored) {
     auto reader = RecordingReader::open(stored);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
     // Reads all chunks, although only the last second is missing: when a device's clock was set back, a
     // second may depend on any earlier one. A whole session takes a fraction of a second.
     std::vector<SecondSummary> storedAlready;
     for (std::size_t i = 0; i < reader->chunkCount(); ++i) {
         const auto frames = reader->framesOf(i);
-        if (!frames)
-            return tl::unexpected(frames.error());
+        CHIRON_TRY(frames);
         for (const core::HapticFrame& frame : *frames)
             m_summaries.add(frame, storedAlready);
         m_nextTick = frames->back().header.index + 1;
@@ -42,8 +40,7 @@ core::Result<void> Recorder::add(std::span<const core::HapticFrame> frames) {
     const auto tools = static_cast<std::uint32_t>(m_encoder.table().tools());
     for (const core::HapticFrame& frame : frames) {
         if (m_openCount == m_open.size()) // a chunk that could not be closed before
-            if (auto closed = closeChunk(); !closed)
-                return closed;
+            CHIRON_TRY(closeChunk());
         if (frame.tools != tools)
             return core::fail(core::ErrorCode::wrongUse,
                               "recording: tick " + std::to_string(frame.header.index) + " has " +
@@ -55,8 +52,7 @@ core::Result<void> Recorder::add(std::span<const core::HapticFrame> frames) {
         std::memcpy(static_cast<void*>(&m_open[m_openCount++]), &frame, usedFrameBytes(tools));
         if (m_openCount < m_open.size())
             continue;
-        if (auto closed = closeChunk(); !closed)
-            return closed;
+        CHIRON_TRY(closeChunk());
     }
     return {};
 }
@@ -70,8 +66,7 @@ core::Result<void> Recorder::closeOld(std::int64_t now_ns) {
 core::Result<void> Recorder::closeChunk() {
     const auto frames = std::span<const core::HapticFrame>(m_open).first(m_openCount);
     auto chunk = m_encoder.encode(m_sequence, frames);
-    if (!chunk)
-        return tl::unexpected(chunk.error());
+    CHIRON_TRY(chunk);
     for (const core::HapticFrame& frame : frames)
         m_summaries.add(frame, m_done);
     m_closed.push_back(std::move(*chunk));
@@ -83,8 +78,7 @@ core::Result<void> Recorder::closeChunk() {
 
 core::Result<void> Recorder::write() {
     if (!m_closed.empty() || !m_done.empty()) {
-        if (auto written = m_sink.write(m_closed, m_done); !written)
-            return written;
+        CHIRON_TRY(m_sink.write(m_closed, m_done));
     }
     m_chunksWritten += static_cast<std::uint32_t>(m_closed.size());
     for (const Chunk& chunk : m_closed)
@@ -97,8 +91,7 @@ core::Result<void> Recorder::write() {
 
 core::Result<void> Recorder::finish() {
     if (m_openCount > 0) {
-        if (auto closed = closeChunk(); !closed)
-            return closed;
+        CHIRON_TRY(closeChunk());
     }
     if (!m_finished)
         m_summaries.finish(m_done);

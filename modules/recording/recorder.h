@@ -38,8 +38,9 @@ public:
     /// Errors: as for RecordingReader.
     core::Result<void> resume(ChunkSource& stored);
 
-    /// Takes frames in the order of their ticks; closes chunks as they fill.
-    /// Errors: wrongUse for a frame with another number of tools than the table, or after finish().
+    /// Takes frames in the order of their ticks; closes chunks as they fill. After an error framesTaken()
+    /// says how many of them were taken; the others have to be offered again. Errors: wrongUse for a frame
+    /// with another number of tools than the table, or after finish().
     core::Result<void> add(std::span<const core::HapticFrame> frames);
     /// Closes the open chunk if its first frame is chunkSpan_ns or more before now_ns (clock of
     /// TickHeader::now_ns).

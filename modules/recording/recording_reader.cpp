@@ -16,11 +16,9 @@ RecordingReader::RecordingReader(ChunkSource& source, ChannelTable table)
 
 core::Result<RecordingReader> RecordingReader::open(ChunkSource& source) {
     const auto bytes = source.channelTable();
-    if (!bytes)
-        return tl::unexpected(bytes.error());
+    CHIRON_TRY(bytes);
     auto table = ChannelTable::decode(*bytes);
-    if (!table)
-        return tl::unexpected(table.error());
+    CHIRON_TRY(table);
     return RecordingReader(source, std::move(*table));
 }
 
@@ -29,8 +27,7 @@ core::Result<Chunk> RecordingReader::checkedChunk(std::size_t sequence) {
         return core::fail(ErrorCode::notFound,
                           "chunk " + std::to_string(sequence) + " of " + std::to_string(m_checked.size()));
     auto chunk = m_source->chunk(sequence);
-    if (!chunk)
-        return chunk;
+    CHIRON_TRY(chunk);
     if (chunk->sequence != sequence)
         return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(sequence) + ": found number " +
                                                       std::to_string(chunk->sequence) + ", expected " +
@@ -48,11 +45,9 @@ core::Result<Chunk> RecordingReader::checkedChunk(std::size_t sequence) {
 
 core::Result<std::vector<core::HapticFrame>> RecordingReader::framesOf(std::size_t sequence) {
     const auto chunk = checkedChunk(sequence);
-    if (!chunk)
-        return tl::unexpected(chunk.error());
+    CHIRON_TRY(chunk);
     std::vector<core::HapticFrame> frames;
-    if (auto decoded = m_decoder.decode(*chunk, frames); !decoded)
-        return tl::unexpected(decoded.error());
+    CHIRON_TRY(m_decoder.decode(*chunk, frames));
     return frames;
 }
 
@@ -60,10 +55,8 @@ core::Result<std::vector<core::HapticFrame>> RecordingReader::allFrames() {
     std::vector<core::HapticFrame> all;
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
-        if (!chunk)
-            return tl::unexpected(chunk.error());
-        if (auto decoded = m_decoder.decode(*chunk, all); !decoded)
-            return tl::unexpected(decoded.error());
+        CHIRON_TRY(chunk);
+        CHIRON_TRY(m_decoder.decode(*chunk, all));
     }
     return all;
 }
@@ -72,8 +65,7 @@ core::Result<std::uint64_t> RecordingReader::frameCount() {
     std::uint64_t frames = 0;
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
-        if (!chunk)
-            return tl::unexpected(chunk.error());
+        CHIRON_TRY(chunk);
         frames += chunk->frames;
     }
     return frames;
@@ -84,8 +76,7 @@ core::Result<std::uint64_t> RecordingReader::lastTickOf(const Chunk& chunk) {
     if (!channel)
         return chunk.firstTick + (chunk.frames - 1);
     m_ticks.clear();
-    if (auto decoded = m_decoder.decodeChannel(chunk, *channel, m_ticks); !decoded)
-        return tl::unexpected(decoded.error());
+    CHIRON_TRY(m_decoder.decodeChannel(chunk, *channel, m_ticks));
     return static_cast<std::uint64_t>(m_ticks.back());
 }
 
@@ -96,14 +87,12 @@ core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick)
     std::size_t guess = 0;
     for (int tries = 0; low < high; ++tries) {
         const auto chunk = checkedChunk(guess);
-        if (!chunk)
-            return tl::unexpected(chunk.error());
+        CHIRON_TRY(chunk);
         if (tick < chunk->firstTick) {
             high = guess;
         } else {
             const auto last = lastTickOf(*chunk);
-            if (!last)
-                return tl::unexpected(last.error());
+            CHIRON_TRY(last);
             if (tick <= *last)
                 return m_decoder.decodeTick(*chunk, tick);
             low = guess + 1;
@@ -128,18 +117,15 @@ core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint
     std::vector<std::int64_t> counts;
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
-        if (!chunk)
-            return tl::unexpected(chunk.error());
-        if (auto decoded = m_decoder.decodeChannel(*chunk, *channel, counts); !decoded)
-            return tl::unexpected(decoded.error());
+        CHIRON_TRY(chunk);
+        CHIRON_TRY(m_decoder.decodeChannel(*chunk, *channel, counts));
     }
     return counts;
 }
 
 core::Result<std::vector<double>> RecordingReader::channelValues(std::uint8_t tool, std::string_view id) {
     const auto counts = channelCounts(tool, id);
-    if (!counts)
-        return tl::unexpected(counts.error());
+    CHIRON_TRY(counts);
     const Channel& channel = table().channels()[*table().find(tool, id)];
     const double steps = stepsPerUnit(channel.resolution);
     std::vector<double> values(counts->size());
@@ -152,8 +138,7 @@ core::Result<std::vector<double>> RecordingReader::channelValues(std::uint8_t to
 
 core::Result<Digest> RecordingReader::forceHash(std::size_t sequence) {
     const auto chunk = checkedChunk(sequence);
-    if (!chunk)
-        return tl::unexpected(chunk.error());
+    CHIRON_TRY(chunk);
     return chunk->forceHash;
 }
 
@@ -162,8 +147,7 @@ core::Result<void> RecordingReader::verify() {
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         m_checked[i] = false; // the source may have changed meanwhile
         const auto frames = framesOf(i);
-        if (!frames)
-            return tl::unexpected(frames.error());
+        CHIRON_TRY(frames);
         for (const core::HapticFrame& frame : *frames) {
             if (frame.header.index < next)
                 return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(i) + ": tick " +

@@ -65,19 +65,16 @@ void RingFile::close() noexcept {
 }
 
 core::Result<RingFile> RingFile::create(const RingSettings& settings) {
-    if (auto checked = checkSettings(settings); !checked)
-        return tl::unexpected(checked.error());
+    CHIRON_TRY(checkSettings(settings));
     RingFile file;
     file.m_tools = static_cast<std::uint32_t>(settings.tools);
     file.m_mask = settings.capacity - 1;
     file.m_slotBytes = slotBytesFor(file.m_tools);
     const std::string name = ringFilePrefix(settings.database) + std::to_string(settings.session);
     const auto part = settings.folder / (name + kUnfinishedRingSuffix);
-    if (auto made = file.make(part, kRingHeaderBytes + settings.capacity * file.m_slotBytes); !made)
-        return tl::unexpected(made.error());
+    CHIRON_TRY(file.make(part, kRingHeaderBytes + settings.capacity * file.m_slotBytes));
     file.writeHeader(settings);
-    if (auto published = file.publish(part, settings.folder / (name + kRingSuffix)); !published)
-        return tl::unexpected(published.error());
+    CHIRON_TRY(file.publish(part, settings.folder / (name + kRingSuffix)));
     return file;
 }
 

@@ -24,7 +24,7 @@ struct SceneInput {
     bool mark = false;       ///< the mark command arrived this tick (button marks come with the tools)
     /// Number of report commands in this tick (reports by button come with the tools).
     int reports = 0;
-    /// Arguments of these commands (exercises/palpation/cues/palpation_cues.h).
+    /// Arguments of these commands: words whose meaning the exercise defines.
     std::array<std::uint16_t, core::kMaxCommandsPerTick> report{};
     bool present = false;        ///< the command to present a stimulus arrived this tick
     std::uint16_t presented = 0; ///< argument of that command (core/presentation_word.h)
@@ -89,6 +89,11 @@ public:
     /// owns the model.
     /// Thread: set-up.
     virtual ISlowModel* slowModel() noexcept { return nullptr; }
+    /// Says whether the elastic part of its force is minus the gradient of a potential (models.md §0). No way
+    /// through such a scene makes energy: friction, viscosity and damping only take some. A scene whose law
+    /// has no potential says false. tests/sweep judges every level by this.
+    /// Thread: set-up.
+    virtual bool conservative() const noexcept { return true; }
 };
 
 } // namespace chiron::simulation

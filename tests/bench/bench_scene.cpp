@@ -4,7 +4,7 @@
 // P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "bench/alternating.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"

@@ -10,6 +10,7 @@
 #include "haptics/live_inputs.h"
 #include "ladder/fast_force.h"
 #include "mechanisms/hand_strategy.h"
+#include "support/named_hands.h"
 
 #include <algorithm>
 #include <array>
@@ -141,31 +142,25 @@ public:
     std::uint64_t injected = 0;
 };
 
-mechanisms::HandParameters handNamed(const std::string& name) {
-    return name == "light"  ? mechanisms::HandParameters::light()
-           : name == "firm" ? mechanisms::HandParameters::firm()
-                            : mechanisms::HandParameters{};
-}
-
 std::unique_ptr<devices::IDevice> deviceOf(const std::string& mechanism, const Way& way,
                                            const std::string& hand, std::uint64_t seed,
                                            std::unique_ptr<mechanisms::HandStrategy> strategy) {
     if (isFiveBar(mechanism)) {
         devices::SimulatedEndoscopeDevice::Configuration configuration;
-        configuration.hand = handNamed(hand);
+        configuration.hand = *handNamed(hand);
         configuration.start_D = way.start_D;
         configuration.seed = seed;
         return std::move(*devices::SimulatedEndoscopeDevice::create(configuration, std::move(strategy)));
     }
     if (mechanism == "fingertip_arm") {
         devices::SimulatedFingertipDevice::Configuration configuration;
-        configuration.hand = handNamed(hand);
+        configuration.hand = *handNamed(hand);
         configuration.start_D = way.start_D;
         configuration.seed = seed;
         return std::move(*devices::SimulatedFingertipDevice::create(configuration, std::move(strategy)));
     }
     devices::SimulatedDevice::Configuration configuration;
-    configuration.hand = handNamed(hand);
+    configuration.hand = *handNamed(hand);
     configuration.start_D = way.start_D;
     configuration.seed = seed;
     return std::move(*devices::SimulatedDevice::create(configuration, std::move(strategy)));
@@ -177,7 +172,7 @@ std::vector<std::string> benchMechanisms() {
     return {"five_bar_spherical", "gimbal_hprd", "fingertip_arm"};
 }
 std::vector<std::string> benchHands() {
-    return {"default", "light", "firm"};
+    return namedHands();
 }
 std::vector<BenchLoad> benchLoads() {
     return {BenchLoad::viscous, BenchLoad::friction, BenchLoad::both, BenchLoad::canal, BenchLoad::wall};
@@ -190,7 +185,7 @@ std::string nameOf(BenchLoad load) {
 
 double budgetOf(const std::string& mechanism) {
     const Way way = wayOf(mechanism, 0);
-    return deviceOf(mechanism, way, "default", 1, std::make_unique<Rubbing>(way, false))
+    return deviceOf(mechanism, way, "usual", 1, std::make_unique<Rubbing>(way, false))
         ->descriptor()
         .maximumDamping_Ns_per_m;
 }

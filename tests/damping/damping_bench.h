@@ -21,7 +21,7 @@ enum class BenchLoad {
 
 struct BenchCase {
     std::string mechanism; ///< "five_bar_spherical", "gimbal_hprd" or "fingertip_arm"
-    std::string hand;      ///< default, light, firm
+    std::string hand;      ///< named_hands.h
     BenchLoad load = BenchLoad::viscous;
     int pose = 0; ///< 0..kBenchPoses − 1
     double damping_Ns_per_m = 0.0;

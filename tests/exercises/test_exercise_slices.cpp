@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exercises/source_text.h"
+#include "support/source_text.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -50,51 +50,53 @@ bool mayNameExercises(const QString& path) {
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
-/// The psychophysics laboratory presents its objects as sessions of `comparison`, which is made for it alone.
-bool isOfTheLaboratory(const QString& path) {
-    return path.startsWith(QStringLiteral("app/session/study/")) ||
-           path.startsWith(QStringLiteral("app/desktop/study_run/"));
+/// The id of the task that studies present side by side. It is no exercise (no folder, no levels), but its
+/// sessions are stored under this id, which shared code must not ask for either.
+const QString kStudyTask = QStringLiteral("comparison");
+
+/// The task's own files.
+bool isOfTheStudyTask(const QString& path) {
+    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content|facts)\\.(h|cpp)$"));
+    return own.match(path).hasMatch();
 }
 
-bool includesAnExercise(const SourceText& source, bool butComparison) {
+bool includesAnExercise(const SourceText& source) {
     static const QRegularExpression include(
         QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?exercises/%1/").arg(anyExercise()),
         QRegularExpression::MultilineOption);
-    for (auto each = include.globalMatch(source.code); each.hasNext();)
-        if (const auto match = each.next();
-            !butComparison || match.captured(2) != QStringLiteral("comparison"))
-            return true;
-    return false;
+    return include.match(source.code).hasMatch();
 }
 
-bool namesAnExercise(const SourceText& source) {
-    static const QStringList ids = [] {
-        QStringList named = exercises();
-        named.removeAll(QStringLiteral("comparison")); // also a word for other things
-        return named;
-    }();
+bool namesAnExercise(const SourceText& source, bool ofTheStudyTask) {
+    static const QStringList ids = exercises();
     return std::any_of(source.literals.begin(), source.literals.end(),
-                       [](const QString& literal) { return ids.contains(literal); });
+                       [ofTheStudyTask](const QString& literal) {
+                           return ids.contains(literal) || (!ofTheStudyTask && literal == kStudyTask);
+                       });
 }
 
 /// "includes", "names", "both", or empty.
 QString whatItDoes(const QString& text, const QString& path = {}) {
     const SourceText source = readSource(text);
-    const bool includes = includesAnExercise(source, isOfTheLaboratory(path)),
-               names = namesAnExercise(source);
+    const bool includes = includesAnExercise(source), names = namesAnExercise(source, isOfTheStudyTask(path));
     if (includes && names)
         return QStringLiteral("both");
     return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
 }
 
+QStringList sourcesIn(const QString& folder) {
+    QStringList files;
+    for (QDirIterator it(kRoot + u'/' + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                         QDirIterator::Subdirectories);
+         it.hasNext();)
+        files << QDir(kRoot).relativeFilePath(it.next());
+    return files;
+}
+
 QStringList productSources() {
     QStringList files;
     for (const char* floor : {"app", "modules", "curriculum", "database"})
-        for (QDirIterator it(kRoot + u'/' + QLatin1String(floor),
-                             {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                             QDirIterator::Subdirectories);
-             it.hasNext();)
-            files << QDir(kRoot).relativeFilePath(it.next());
+        files << sourcesIn(QLatin1String(floor));
     return files;
 }
 
@@ -122,7 +124,10 @@ private slots:
     void codeIsReadWithoutComments();
     void whatAFileDoesIsFound();
     void nothingElseNamesAnExercise();
+    void theSweepNamesNoExercise();
+    void nothingElseNamesAMetricOfOneExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
+    void nothingBelowTheScenesKnowsAnExercise();
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
     void everyExerciseIsInTheLists();
@@ -146,12 +151,15 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/laparoscopy/a.h\"\n")), QString());
     QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
     QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
-    QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
-    const QString comparison = QStringLiteral("#include \"modules/exercises/comparison/simulation/a.h\"\n"),
-                  laboratory = QStringLiteral("app/session/study/a.cpp");
-    QCOMPARE(whatItDoes(comparison), QStringLiteral("includes"));
-    QCOMPARE(whatItDoes(comparison, laboratory), QString());
-    QCOMPARE(whatItDoes(comparison + include, laboratory), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparisons\"")), QString());
+    // No folder may know an exercise, and the studies' task has its id in its own files alone.
+    const QString laboratory = QStringLiteral("app/session/study/a.cpp"),
+                  task = QStringLiteral("id == \"comparison\"");
+    QCOMPARE(whatItDoes(include, laboratory), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(task, laboratory), QStringLiteral("names"));
+    QCOMPARE(whatItDoes(task, QStringLiteral("app/desktop/sessions/session_words.cpp")),
+             QStringLiteral("names"));
+    QCOMPARE(whatItDoes(task, QStringLiteral("app/session/study/comparison_kind.h")), QString());
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
     QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") &&
             mayNameExercises("app/exercises/flat_catalogue.cpp"));
@@ -175,6 +183,40 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
+/// What the sweep must know of one exercise stands in tests/exercises/<id>/sweep_facts.cpp.
+void TestExerciseSlices::theSweepNamesNoExercise() {
+    QStringList wrong;
+    const QStringList files = sourcesIn(QStringLiteral("tests/sweep"));
+    for (const QString& path : files)
+        if (const QString does = whatItDoes(contentOf(path), path); !does.isEmpty())
+            wrong << QStringLiteral("%1: %2").arg(path, does);
+    QVERIFY(files.contains(QStringLiteral("tests/sweep/level_sweep.cpp")));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What belongs to one metric of one exercise (a limit, a benchmark, where it was worst) stands in the
+/// metric's row or in the exercise's folder. Ids of one word are also words for other things.
+void TestExerciseSlices::nothingElseNamesAMetricOfOneExercise() {
+    static const QRegularExpression row(QStringLiteral("\\.id = \"([a-z0-9]+_[a-z0-9_]+)\""));
+    QStringList metrics, wrong;
+    for (const QString& id : exercises())
+        for (QDirIterator it(kRoot + QStringLiteral("/curriculum/exercises/%1/scoring").arg(id),
+                             {QStringLiteral("*.cpp")}, QDir::Files);
+             it.hasNext();)
+            for (auto found = row.globalMatch(contentOf(QDir(kRoot).relativeFilePath(it.next())));
+                 found.hasNext();)
+                metrics << found.next().captured(1);
+    QVERIFY(metrics.size() > 40 && metrics.contains(QStringLiteral("apex_error_mean")));
+    for (const QString& path : productSources()) {
+        if (!path.startsWith(QStringLiteral("app/")) || mayNameExercises(path))
+            continue;
+        for (const QString& literal : readSource(contentOf(path)).literals)
+            if (metrics.contains(literal))
+                wrong << QStringLiteral("%1: names the metric %2").arg(path, literal);
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
 /// On the floor of the modules an exercise stands for itself: what it shares with another is in a folder
 /// named after what it is.
 void TestExerciseSlices::noSceneOrOperatorKnowsAnotherExercise() {
@@ -191,6 +233,26 @@ void TestExerciseSlices::noSceneOrOperatorKnowsAnotherExercise() {
         for (auto found = include.globalMatch(readSource(contentOf(path)).code); found.hasNext();)
             if (const QString other = found.next().captured(1); other != of.captured(1))
                 wrong << QStringLiteral("%1: includes a header of %2").arg(path, other);
+    }
+    QVERIFY(read > 100);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// What every session runs through knows neither an exercise nor a family of exercises, and says nothing of
+/// one.
+void TestExerciseSlices::nothingBelowTheScenesKnowsAnExercise() {
+    static const QRegularExpression below(
+        QStringLiteral("^modules/(core|realtime|devices|mechanisms|haptics|recording)/"));
+    const QRegularExpression known(
+        QStringLiteral("#[ \\t]*include[ \\t]*\"cues/|exercises/%1/").arg(anyExercise()));
+    QStringList wrong;
+    int read = 0;
+    for (const QString& path : productSources()) {
+        if (!path.contains(below))
+            continue;
+        ++read;
+        if (const auto found = known.match(contentOf(path)); found.hasMatch())
+            wrong << QStringLiteral("%1: %2").arg(path, found.captured());
     }
     QVERIFY(read > 100);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));

@@ -199,6 +199,9 @@ void TestCliStudy::planNeedsNoDatabase() {
          {"bias_log10_error", "sd_log10_error", "coverage_error", "trials_error", "minutes_error"})
         QVERIFY2(condition[QLatin1String(key)].toDouble() > 0.0, key);
     QVERIFY(condition["weber_quantiles"]["0.1"].toDouble() <= condition["weber_quantiles"]["0.5"].toDouble());
+    for (const char* share : {"0.1", "0.5", "0.9"})
+        QVERIFY2(condition["weber_quantiles_error"][QLatin1String(share)].toDouble() > 0.0, share);
+    QCOMPARE(plan["minutes_error"].toDouble(), condition["minutes_error"].toDouble()); // it has one condition
     const QJsonObject one =
         object(runCli({"study", "plan", kStudy, "--observer", "weber:0.12,lapse:0.02", "--runs", "1",
                        "--database", m_folder.filePath("none.db"), "--json"}));

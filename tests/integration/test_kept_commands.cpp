@@ -2,6 +2,7 @@
 // What the commands answer about content, sessions, studies, laws and data, against what was read and kept: a
 // word, a unit, a row or a figure that is no longer said. A change that is meant is kept anew, and the
 // difference is read in review: CHIRON_STORE_COMMANDS=1 build/release/tests/integration/test_kept_commands
+#include "catalogue/catalogue.h"
 #include "cli_process.h"
 
 #include <QDir>
@@ -101,6 +102,18 @@ bool alike(const QString& a, const QString& b) {
     return true;
 }
 
+/// Ids, in the order of the content; empty where it cannot be read.
+const QStringList& everyExercise() {
+    static const QStringList ids = [] {
+        QStringList all;
+        if (const auto content = chiron::catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content"))
+            for (const chiron::catalogue::Exercise& exercise : content->exercises())
+                all << QString::fromStdString(exercise.id);
+        return all;
+    }();
+    return ids;
+}
+
 struct Command {
     QString words; ///< as typed, without the program; SITE, DIR: the test's
     QByteArray input = {};
@@ -169,9 +182,8 @@ std::vector<Command> TestKeptCommands::commands() {
         {"user add tina --role trainee --database SITE --as ada"},
         {"user list --database SITE --as ada"},
     };
-    for (const char* exercise :
-         {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling", "palpation"})
-        all.push_back({QStringLiteral("exercise show %1").arg(QLatin1String(exercise))});
+    for (const QString& exercise : everyExercise())
+        all.push_back({QStringLiteral("exercise show %1").arg(exercise)});
     for (const char* session : {"elastic_tube --level 1 --operator expert --seed 11",
                                 "object_handling --level 1 --operator unsafe --seed 12",
                                 "urethra_insertion --level 2 --operator novice --seed 13",
@@ -231,6 +243,7 @@ std::vector<Command> TestKeptCommands::commands() {
 
 void TestKeptCommands::initTestCase() {
     QVERIFY(m_folder.isValid());
+    QVERIFY(!everyExercise().isEmpty());
     write("levels.csv", table("intensity,n_correct,n_total",
                               {"1,21,40", "2,24,40", "3,29,40", "4,33,40", "5,37,40", "7,39,40"}));
     write("yesno.csv",

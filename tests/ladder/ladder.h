@@ -11,17 +11,22 @@
 
 namespace chiron::tests {
 
+class LadderStore;
+
 /// One session of a scripted operator, run, recorded and scored by the product.
 struct LadderSession {
     std::uint64_t seed = 0;
     bool completed = false;
     scoring::ScoreCard card;
-    std::uint64_t ticks = 0,
-                  damped = 0; ///< damped: ticks in which the passivity controller took part of the force
-    double kept_J = 0.0;      ///< what it kept from the hand in those ticks
+    std::uint64_t ticks = 0;
+    std::uint64_t acted = 0;   ///< ticks in which the passivity controller damped, or rendered a body softer
+    double kept_J = 0.0;       ///< PassivityController::kept_J(): withheld, less what was spared
+    double withheld_J = 0.0;   ///< PassivityController::withheld_J(): never negative
+    double heldBeyond_J = 0.0; ///< the most that the touched bodies held beyond the work put into them
     double tissue_N = 0.0, commanded_N = 0.0; ///< largest of any tool
     double fast_N = 0.0;                      ///< FastForce: the worst window's root mean square above 20 Hz
     double fastEnds_s = 0.0;                  ///< when that window ends
+    std::uint64_t windows = 0;                ///< that FastForce had
     bool checked = false;                     ///< replayed and scored again
     bool replaysIdentically = false, scoresIdentically = false;
 };
@@ -31,17 +36,34 @@ struct LadderSettings {
     std::uint64_t first = 1;
     int checkEvery = 1;           ///< of the seeds, replayed and scored again; 0: none
     double budget_Ns_per_m = 0.0; ///< of damping, instead of what the devices say they carry; 0: theirs
+    std::string hand;             ///< named_hands.h; empty: each operator's own
+    std::string mechanism;        ///< kinematics id; empty: the exercise's usual one
+    std::vector<std::string> operators{"novice", "intermediate", "expert", "unsafe"};
+    /// Where sessions are kept: what is stored there of the same sources and settings is not run again, and
+    /// its seeds come first. Null: nowhere.
+    LadderStore* store = nullptr;
 };
 
-/// All sessions of the operators novice, intermediate, expert and unsafe (as many of them as the exercise
-/// has) on one level.
+/// What the level's scene says of its forces.
+struct LadderLaw {
+    bool conservative = false; ///< IScene::conservative()
+    bool softens = false;      ///< it states energy by body: the passivity controller answers an excess by
+                               ///< rendering the body softer, not by damping
+};
+
+/// All sessions of the operators (as many of them as the exercise has) on one level.
 struct LadderLevel {
-    std::string level;          ///< "exercise/number id"
-    bool recordsEnergy = false; ///< it has laws that are not conservative
+    std::string level; ///< "exercise/number id"
+    LadderLaw law;
     std::map<std::string, std::vector<LadderSession>> byOperator;
 };
 
+std::string nameOf(const catalogue::ExerciseLevel& level); ///< LadderLevel::level
+LadderLaw lawOf(const catalogue::ExerciseLevel& level);
+/// Continues what the store has of the level, as far as `seeds`.
 LadderLevel climb(const catalogue::ExerciseLevel& level, const LadderSettings& settings);
+/// Only what the store has of it.
+LadderLevel recalled(const catalogue::ExerciseLevel& level, const LadderSettings& settings);
 
 /// A rate with its 95 % interval after Wilson.
 struct Rate {
@@ -59,6 +81,13 @@ double riseAtLeast(const Rate& before, const Rate& after);
 /// smoothness) on which the unsafe hand is better with 95 % confidence (Welch), and for each gate that it
 /// passes more often (Fisher's exact test, one-sided 2.5 %).
 std::vector<std::string> inverted(const LadderLevel& level);
+
+/// What the passivity controller did on the level that its law gives no reason for, one line per session:
+/// - a law with a potential is damped. Where a body is rendered softer, which a fast hand on a stiff body
+/// brings
+///   about with any law, because the controller also keeps an account of samples that come three ticks late
+///   (docs/testing.md), bodies still hold no more than they were given, but for what the controller allows.
+std::vector<std::string> unfounded(const LadderLevel& level);
 
 /// For people: one line per operator.
 std::string heading();

@@ -10,7 +10,7 @@ using namespace chiron;
 using namespace chiron::tests;
 using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
-using core::ReportField;
+using simulation::ReportField;
 namespace bits = core::event_bits;
 
 /// Palpations from the first press to the last report: nothing is allocated, locked or thrown in a tick.
@@ -64,7 +64,7 @@ void TestPalpationGuard::everyKind() {
             d.in.mark = n % 400 == 0;
             d.in.tools.tools[2].buttons =
                 n % 300 < 150 ? core::kButtonMark
-                              : core::reportButtons(core::reportWord(ReportField::hardness, 3));
+                              : core::reportButtons(simulation::reportWord(ReportField::hardness, 3));
             if (n % 700 == 0)
                 d.command(ReportField::remove, static_cast<unsigned>(n / 700 % 8));
             d.scene.respond(d.source.next(0), d.in, d.out);

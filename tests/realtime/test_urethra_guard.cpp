@@ -76,6 +76,7 @@ private slots:
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
         using namespace core::event_bits;
+        using core::procedure_bits::kLandmarkSeen;
         const std::uint32_t all = kTrialStarted | kContactBegan | kStageChanged | kLandmarkSeen |
                                   kContactEnded | kCompleted | kFinished;
         QCOMPARE(events & all, all); // the run went all the way

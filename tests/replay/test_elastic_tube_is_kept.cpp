@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole sessions of the elastic tube, one hand and two: they replay to the same bits, and their scores are
 // the same from the run, from the recording and from the exported file.
+#include "app/exercises/elastic_tube/session/planned_tube.h"
+#include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
@@ -104,6 +106,19 @@ void TestElasticTubeIsKept::isKept(SessionFixture& site, const catalogue::Exerci
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
     const auto trace = scoring::buildSessionTrace(*rows, "elastic_tube");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
+    // The typed truth is the planned one, from the recording and from the file, and costs no further reading.
+    const int decodings = stored.session->decodings();
+    const auto truths = stored.session->truths(scoring::tubeTruthOf);
+    QVERIFY2(truths, truths ? "" : truths.error().message.c_str());
+    QCOMPARE(stored.session->decodings(), decodings);
+    const session::SessionSetup& setup = stored.session->setup();
+    const auto planned =
+        session::plannedTubes(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
+    QVERIFY(!truths->empty() && truths->size() == trace->trials.size() && truths->size() <= planned.size());
+    for (std::size_t i = 0; i < truths->size(); ++i) {
+        QVERIFY((*truths)[i] == planned[i] && (*truths)[i].overStretch_m && (*truths)[i].task);
+        QVERIFY(scoring::tubeTruthIn(trace->trials[i]) == planned[i]);
+    }
     std::vector<scoring::MetricRequest> wanted;
     for (const auto& metric : level.metrics)
         wanted.push_back({metric.id, metric.version});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole sessions of object handling: they replay to the same bits, and their scores are the same from the
 // run, from the recording and from the exported file.
+#include "app/exercises/object_handling/session/planned_handling.h"
+#include "curriculum/exercises/object_handling/scoring/handling_truth.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
@@ -87,6 +89,16 @@ private:
         QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
         const auto trace = scoring::buildSessionTrace(*rows, "object_handling");
         QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
+        const session::SessionSetup& setup = stored.session->setup();
+        const auto planned = session::plannedHandling(
+            setup.level.parameters.as<simulation::ObjectHandlingParameters>(), setup.seed);
+        const auto truths = stored.session->truths(scoring::handlingTruthOf);
+        QVERIFY2(truths, truths ? "" : truths.error().message.c_str());
+        QVERIFY(!truths->empty() && truths->size() == trace->trials.size() &&
+                truths->size() <= planned.size());
+        for (std::size_t i = 0; i < truths->size(); ++i)
+            QVERIFY((*truths)[i] == planned[i] && planned[i].objects &&
+                    scoring::handlingTruthIn(trace->trials[i]) == planned[i]);
         std::vector<scoring::MetricRequest> wanted;
         for (const auto& metric : level.metrics)
             wanted.push_back({metric.id, metric.version});

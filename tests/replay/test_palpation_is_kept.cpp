@@ -8,14 +8,14 @@
 #include "session/session_export.h"
 #include "support/session_fixture.h"
 
-#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <QtTest>
 #include <cmath>
 
 using namespace chiron;
-using core::ReportField;
+using simulation::ReportField;
 using tests::OpenStored;
 using tests::SessionFixture;
 
@@ -81,7 +81,7 @@ scoring::TraceRows reportingTrace() {
         const double x_m = t_s < 5.0 ? -0.02 : t_s < 6.0 ? 0.0 : 0.02;
         const double z_m = t_s < 4.0 ? 0.02 : -0.002 + 0.005 * std::cos(2.0 * 3.14159265 * t_s);
         const auto word = [](ReportField field, unsigned value) {
-            return core::reportButtons(core::reportWord(field, value));
+            return core::reportButtons(simulation::reportWord(field, value));
         };
         const std::uint32_t buttons = n >= 6500 && n < 6600   ? core::kButtonMark
                                       : n >= 6700 && n < 6750 ? word(ReportField::size, 68)

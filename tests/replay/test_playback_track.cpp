@@ -6,6 +6,9 @@
 #include "support/looked_back.h"
 #include "support/made_session.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 #include <sqlite3.h>
 
@@ -53,8 +56,10 @@ private slots:
     void initTestCase();
     void samplesAreTheFrames();
     void oneReadingForAll();
+    void eventsAreThoseThatTheEndStored();
     void proxyIsTheFeltSurface();
     void nothingHoldsAToolThatIsThrough();
+    void tissueThatGaveWayIsPlaced();
     void lookUpByTime();
     void trialsAndMarks();
     void completedTrials();
@@ -145,6 +150,38 @@ void TestPlaybackTrack::nothingHoldsAToolThatIsThrough() {
         QVERIFY(track->tool(i, 0).p_WProxy == track->tool(i, 0).p_WT);
     }
     QVERIFY(through > 50);
+}
+
+// The mark, the stored event and the recording agree on where the tip was.
+void TestPlaybackTrack::tissueThatGaveWayIsPlaced() {
+    OpenStored stored(*m_site.database, m_unsafe);
+    auto frames = stored.session->reader().allFrames();
+    auto track = tests::trackOf(*stored.session);
+    auto connection = m_site.database->openReader();
+    auto events = database::SessionReader(**connection, database::Actor::simulated()).events(m_unsafe);
+    QVERIFY(frames && track && events);
+    QVERIFY(count(*track, PlaybackMarkKind::yielded) > 0);
+    QCOMPARE(count(*track, PlaybackMarkKind::yielded),
+             eventsOf(*m_site.database, m_unsafe, "tissue_yielded"));
+    for (const session::PlaybackMark& mark : track->marks) {
+        if (mark.kind != PlaybackMarkKind::yielded)
+            continue;
+        const auto frame = std::find_if(frames->begin(), frames->end(), [&](const core::HapticFrame& each) {
+            return each.header.index == mark.tick;
+        });
+        QVERIFY(frame != frames->end() && mark.p_W);
+        QVERIFY(*mark.p_W == stored.session->positions().p_WT_m(mark.tool, frame->tool[0]));
+        const auto event = std::find_if(events->begin(), events->end(), [&](const auto& each) {
+            return each.kind == "tissue_yielded" && each.tick == mark.tick && each.tool == mark.tool;
+        });
+        QVERIFY(event != events->end());
+        const QJsonArray told = QJsonDocument::fromJson(QByteArray::fromStdString(event->detailJson))
+                                    .object()["position_m"]
+                                    .toArray();
+        QCOMPARE(told.size(), qsizetype{3});
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(told[axis].toDouble() - (*mark.p_W)[axis]) <= 0.5e-6 + 1e-12);
+    }
 }
 
 void TestPlaybackTrack::lookUpByTime() {
@@ -309,13 +346,44 @@ void TestPlaybackTrack::oneReadingForAll() {
     QCOMPARE((*ownTrack)->marks.size(), (*track)->marks.size());
     QCOMPARE((*ownTrack)->duration_s, (*track)->duration_s);
     std::size_t frames = 0;
-    QVERIFY(together.session->trace([&frames](std::span<const core::HapticFrame> seen) -> core::Result<void> {
-        frames += seen.size();
-        return {};
-    }));
+    QVERIFY(
+        together.session->eachChunk([&frames](std::span<const core::HapticFrame> seen) -> core::Result<void> {
+            frames += seen.size();
+            return {};
+        }));
     QCOMPARE(frames,
              static_cast<std::size_t>(
                  together.session->record().summary.frames)); // who wants to see frames sees all of them
+}
+
+/// What a session's end stored is what its recording says: events with the outcomes of answers, and trials.
+void TestPlaybackTrack::eventsAreThoseThatTheEndStored() {
+    for (const database::SessionId id : {m_expert, m_unsafe}) {
+        OpenStored stored(*m_site.database, id);
+        const auto events = stored.session->events();
+        QVERIFY(events);
+        QVERIFY(stored.session->trace()); // answers were judged by it, so it came along
+        QCOMPARE(stored.session->decodings(), 1);
+        QVERIFY(events->get() == stored.session->events()->get());
+        auto reader = m_site.database->openReader();
+        QVERIFY(reader);
+        database::SessionReader rows(**reader, database::Actor::simulated());
+        const auto storedEvents = rows.events(id);
+        const auto storedTrials = rows.trials(id);
+        QVERIFY(storedEvents && storedTrials && !storedEvents->empty());
+        QCOMPARE((*events)->events.size(), storedEvents->size());
+        for (std::size_t i = 0; i < storedEvents->size(); ++i) {
+            const database::EventRecord& derived = (*events)->events[i];
+            QCOMPARE(derived.tick, (*storedEvents)[i].tick);
+            QCOMPARE(derived.kind, (*storedEvents)[i].kind);
+            QCOMPARE(derived.tool, (*storedEvents)[i].tool);
+            QCOMPARE(derived.detailJson, (*storedEvents)[i].detailJson);
+        }
+        QCOMPARE((*events)->trials.size(), storedTrials->size());
+        QCOMPARE((*events)->frames, stored.session->record().summary.frames);
+        QCOMPARE((*events)->finished,
+                 stored.session->record().summary.state == database::SessionState::completed);
+    }
 }
 
 void TestPlaybackTrack::canBeStopped() {

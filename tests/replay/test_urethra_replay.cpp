@@ -148,7 +148,7 @@ void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
             static_cast<double>(frame.tool[0].deviceTime_us - frames->front().tool[0].deviceTime_us) * 1e-6;
         if (frame.header.events & core::event_bits::kStageChanged)
             changes_s.push_back(t_s);
-        if (frame.header.events & core::event_bits::kLandmarkSeen)
+        if (frame.header.events & core::procedure_bits::kLandmarkSeen)
             seen_s.push_back(t_s);
     }
     QCOMPARE(changes_s.size(), std::size_t{4});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
 #include "core/visible_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 

@@ -205,7 +205,7 @@ private:
             book.found({p.x(), p.y(), p.z()});
         if ((pressed & core::kButtonReport) != 0) {
             const auto word = static_cast<std::uint16_t>(now >> 16);
-            book.report(core::reportField(word), core::reportValue(word));
+            book.report(simulation::reportField(word), simulation::reportValue(word));
         }
     }
 

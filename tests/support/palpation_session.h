@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/desktop_fixture.h"
@@ -49,8 +49,8 @@ private:
         to(t_s, p_m, -kDepth_m, buttons);
         to(t_s + 0.05, p_m, -kDepth_m);
     }
-    void report(double t_s, const core::Vec2& p_m, core::ReportField field, unsigned value) {
-        say(t_s, p_m, core::reportButtons(core::reportWord(field, value)));
+    void report(double t_s, const core::Vec2& p_m, simulation::ReportField field, unsigned value) {
+        say(t_s, p_m, core::reportButtons(simulation::reportWord(field, value)));
     }
     void addTrial(std::size_t i) {
         const double t = kTrial_s * static_cast<double>(i);
@@ -62,21 +62,22 @@ private:
         to(t + 0.8, first, -kDepth_m);
         if (lump) {
             say(t + 1.2, first, core::kButtonMark);
-            report(t + 1.5, first, core::ReportField::confidence, static_cast<unsigned>(5 - i % 5));
+            report(t + 1.5, first, simulation::ReportField::confidence, static_cast<unsigned>(5 - i % 5));
         }
         if (i == 2)
-            report(t + 1.8, first, core::ReportField::remove, 0);
+            report(t + 1.8, first, simulation::ReportField::remove, 0);
         to(t + 2.2, first, -kDepth_m);
         to(t + 2.5, first, kAbove_m);
         to(t + 2.8, corner, kAbove_m);
         to(t + 3.1, corner, -kDepth_m);
         if (i == 1) {
             say(t + 3.5, corner, core::kButtonMark);
-            report(t + 3.7, corner, core::ReportField::confidence, 1);
+            report(t + 3.7, corner, simulation::ReportField::confidence, 1);
         }
         to(t + 4.0, corner, -kDepth_m);
         to(t + 4.3, corner, kAbove_m);
-        to(t + kDone_s, corner, kAbove_m, core::reportButtons(core::reportWord(core::ReportField::done, 0)));
+        to(t + kDone_s, corner, kAbove_m,
+           core::reportButtons(simulation::reportWord(simulation::ReportField::done, 0)));
         to(t + kDone_s + 0.05, corner, kAbove_m);
     }
 

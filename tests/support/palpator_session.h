@@ -60,8 +60,8 @@ public:
         trial.moved = trial.moved || told[q::kLumpsMoved] > 0.5;
         if (told[q::kReportCount] > m_reports) {
             const int finding = static_cast<int>(told[q::kReportFinding]);
-            const auto field = static_cast<core::ReportField>(static_cast<int>(told[q::kReportField]));
-            if (field == core::ReportField::found)
+            const auto field = static_cast<simulation::ReportField>(static_cast<int>(told[q::kReportField]));
+            if (field == simulation::ReportField::found)
                 trial.book.place(finding, {told[q::kFindingPlace], told[q::kFindingPlace + 1],
                                            told[q::kFindingPlace + 2]});
             else

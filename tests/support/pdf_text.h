@@ -4,23 +4,35 @@
 #include "support/painted_shapes.h"
 
 #include <QProcess>
-#include <QStandardPaths>
 #include <QString>
 #include <QStringList>
 
+#include <vector>
+
 namespace chiron::tests {
 
-/// The text of a PDF as somebody copies it. "-layout" keeps columns apart; "-raw" is the order of painting.
-/// scripts/setup installs the reader: without it, a test that asks for the text fails.
-inline QString textOfPdf(const QString& pdf, const QString& order = QStringLiteral("-layout")) {
-    const QString reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
-    if (reader.isEmpty())
-        qFatal("pdftotext is not installed: scripts/setup installs it, in poppler-utils");
-    QProcess process;
-    process.start(reader, {order, pdf, QStringLiteral("-")});
-    if (!process.waitForFinished() || process.exitCode() != 0)
-        qFatal("pdftotext cannot read %s", qPrintable(pdf));
-    return QString::fromUtf8(process.readAllStandardOutput());
+/// How the lines of a page are put in order: as they stand on the paper, or as they were drawn, which keeps
+/// together what stands in one of several columns.
+enum class PdfOrder { laidOut, drawn };
+
+/// The text of a PDF as pdftotext reads it. That program is part of poppler-utils, which scripts/setup
+/// installs: without it no report is tested, so its absence ends the test program.
+inline QString pdfText(const QString& pdf, PdfOrder order = PdfOrder::laidOut) {
+    QProcess reader;
+    reader.start(QStringLiteral("pdftotext"),
+                 {order == PdfOrder::laidOut ? QStringLiteral("-layout") : QStringLiteral("-raw"), pdf,
+                  QStringLiteral("-")});
+    if (!reader.waitForStarted(-1))
+        qFatal("pdftotext could not be started (%s): run scripts/setup, which installs poppler-utils",
+               qPrintable(reader.errorString()));
+    reader.waitForFinished(-1);
+    if (reader.exitStatus() != QProcess::NormalExit || reader.exitCode() != 0)
+        qFatal("pdftotext could not read %s: %s", qPrintable(pdf), reader.readAllStandardError().constData());
+    return QString::fromUtf8(reader.readAllStandardOutput()).normalized(QString::NormalizationForm_C);
+}
+
+inline QStringList pdfLines(const QString& pdf) {
+    return pdfText(pdf).split(QLatin1Char('\n'));
 }
 
 /// A text without spaces and marks that nobody sees; signs that look alike (µ and μ) are one.
@@ -35,7 +47,7 @@ inline QString visibleLetters(const QString& text) {
 
 /// The texts that are painted on the pages of a report and cannot be copied from its PDF as they are seen.
 inline QStringList notCopied(const std::vector<PaintedShape>& painted, const QString& pdf) {
-    const QString copied = visibleLetters(textOfPdf(pdf, QStringLiteral("-raw")));
+    const QString copied = visibleLetters(pdfText(pdf, PdfOrder::drawn));
     QStringList lost;
     for (const QString& words : wordsIn(painted))
         if (!copied.contains(visibleLetters(words)))

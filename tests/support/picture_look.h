@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 
 #include <QDir>
 #include <QScreen>
@@ -20,7 +21,7 @@ inline void applyLook(DesktopFixture& desktop) {
         desktop.settings.setTheme(desktop::ThemeName::dark);
     if (hasLook("contrast"))
         desktop.settings.setTheme(desktop::ThemeName::highContrast);
-    for (const char* language : {"de", "el"})
+    for (const char* language : tests::otherLanguages())
         if (hasLook(language))
             desktop.settings.setLanguage(QLatin1String(language));
     desktop.context.applyAppearance();

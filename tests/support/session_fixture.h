@@ -11,6 +11,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <string_view>
 
 namespace chiron::tests {
 
@@ -51,15 +52,18 @@ public:
     std::string file() const { return m_folder.filePath("test.db").toStdString(); }
     std::string folder() const { return m_folder.path().toStdString(); }
 
+    /// `mechanism`, `hand`: as in scriptedStation().
     session::TrainingRequest request(const catalogue::ExerciseLevel& level, const std::string& operatorName,
-                                     std::uint64_t seed) const {
+                                     std::uint64_t seed, std::string_view mechanism = {},
+                                     const mechanisms::HandParameters* hand = nullptr) const {
         session::TrainingRequest request;
         request.level = level;
         request.seed = seed;
         request.ringFolder =
             recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
         const auto kind = session::exerciseKind(level.exercise);
-        auto station = session::scriptedStation(**kind, level, operatorName, seed);
+        auto station = session::scriptedStation(**kind, level, operatorName, seed,
+                                                mechanisms::PolarMap::exact, mechanism, {}, hand);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);

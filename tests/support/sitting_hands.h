@@ -62,8 +62,8 @@ inline bool typePassword(DesktopFixture& desktop, const char* password = kTestPa
         kPatience_ms);
 }
 
-/// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the page
-/// `to`: the study's, or of a pilot the design's.
+/// The sitting is stopped by the participant's button; the experimenter comes and goes on. Whoever stops a
+/// pilot run goes on at once. True on the page `to`: the study's, or of a pilot the design's.
 inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen,
                         int patience_ms = kPatience_ms, const QString& to = QStringLiteral("study_run")) {
     QTimer look; // the question comes when it comes
@@ -72,12 +72,16 @@ inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen,
             button->click();
     });
     look.start(200);
+    const bool pilot = !screen->live()->design().pilotOf.empty();
+    const bool goesOn = pilot && !screen->live()->finished();
     if (auto* stop = sittingButton(screen, "trials.stop"); stop && !stop->isHidden())
         stop->click();
+    if (goesOn)
+        return QTest::qWaitFor([&] { return desktop.context.navigator().current().screen == to; },
+                               patience_ms);
     if (!QTest::qWaitFor([screen] { return screen->live()->finished() && !screen->isBusy(); }, patience_ms))
         return false;
-    if (!screen->live()->design().pilotOf.empty() &&
-        !screen->atDesk()) // nobody is called: whoever tried it goes on
+    if (pilot && !screen->atDesk()) // nobody is called: whoever tried it goes on
         sittingButton(screen, "break.button")->click();
     else if (screen->atDesk())
         screen->findChild<QPushButton*>(QStringLiteral("trials.leave"))->click();

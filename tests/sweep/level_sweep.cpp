@@ -2,20 +2,19 @@
 #include "sweep/level_sweep.h"
 
 #include "core/contact_bits.h"
-#include "core/laparoscopy_cues.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "core/presentation_word.h"
+#include "cues/laparoscopy_cues.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"
 #include "session/station.h"
-#include "simulation/geometry/urethra/urethra_anatomy.h"
-#include "simulation/geometry/urethra/urethra_centreline.h"
+#include "session/training_run.h"
 #include "simulation/scene.h"
+#include "sweep/guarded_contact.h"
 #include "sweep/hand_path.h"
+#include "sweep/level_numbers.h"
+#include "sweep/sweep_facts.h"
+#include "sweep/true_contact.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <cstdio>
 #include <vector>
 
@@ -26,78 +25,29 @@ namespace {
 using core::Vec3;
 
 constexpr double kSteepest = 1.5; ///< of a smoothstep, in its middle
-
-/// The largest number of that name anywhere in the level's content; nothing if it has none.
-std::optional<double> inContent(const QJsonValue& value, const QString& key) {
-    std::optional<double> found;
-    const auto take = [&found](std::optional<double> other) {
-        if (other && (!found || *other > *found))
-            found = other;
-    };
-    if (value.isArray())
-        for (const QJsonValue& item : value.toArray())
-            take(inContent(item, key));
-    const QJsonObject object = value.toObject();
-    for (auto it = object.begin(); it != object.end(); ++it) {
-        if (it.key() == key && it.value().isDouble())
-            take(it.value().toDouble());
-        take(inContent(it.value(), key));
-    }
-    return found;
-}
-
-struct ContentNumbers {
-    double yield_N = 0.0;  ///< 0: never
-    double yield_Nm = 0.0; ///< 0: never
-    double fall_ms = 20.0;
-    double bristle_N_per_m = 0.0;   ///< stick of friction: a stiffness across, which a scene does not report
-    double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
-    double damping_Ns_per_m = 0.0;  ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
-    double fade_m = 0.0005;
-    double turn_Nm_per_rad = 0.0; ///< how stiff the tissue turns the tool back; 0: not at all
-    double turn_Nm_per_m =
-        0.0; ///< the same for a way: the canal turns along it, the pivot's lever, and it gets stiffer
-    double shaft_m = 0.0; ///< radius: at which forces turn the tool
-};
-
-ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
-    const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
-    ContentNumbers numbers;
-    numbers.yield_N = inContent(all, QStringLiteral("yield_force_N")).value_or(0.0);
-    numbers.yield_Nm = inContent(all, QStringLiteral("yield_torque_mN_m")).value_or(0.0) / 1000.0;
-    numbers.fall_ms = inContent(all, QStringLiteral("yield_fall_ms")).value_or(numbers.fall_ms);
-    numbers.bristle_N_per_m = inContent(all, QStringLiteral("bristle_stiffness_N_per_m")).value_or(0.0);
-    numbers.damping_Ns_per_m = inContent(all, QStringLiteral("damping_N_s_per_m")).value_or(0.0) +
-                               inContent(all, QStringLiteral("viscosity_N_s_per_m")).value_or(0.0);
-    if (const auto* palpation = level.parameters.find<simulation::PalpationParameters>()) {
-        numbers.damping_Ns_per_m = palpation->tissue.damping_Ns_per_m.maxCoeff();
-        numbers.fade_m = palpation->tissue.dampingDepth_m / kSteepest; // a smoothstep
-    }
-    if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
-        constexpr double kMostTwist_rad = 1.5;
-        const simulation::UrethraAnatomy& anatomy = urethra->anatomy;
-        const double span_m = anatomy.pivotSpan_m,
-                     turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
-        numbers.turn_Nm_per_rad = anatomy.angularStiffness_Nm_per_rad;
-        numbers.turn_Nm_per_m =
-            numbers.turn_Nm_per_rad * (2.0 * anatomy.curvature_per_m + (span_m > 0.0 ? 0.5 / span_m : 0.0) +
-                                       kMostTwist_rad / turning_m);
-        numbers.shaft_m = urethra->endoscope.radius_m;
-    }
-    return numbers;
-}
+/// What is left of a dent that recovers is no energy that a contact begins or ends with.
+constexpr double kNothing_J = 1e-9;
+/// A loose object that goes less than this in a tick lies still (45 g at 1 mm/s: 0.02 µJ).
+constexpr double kStill_m = 1e-6;
 
 /// One tool's tick before.
 struct Before {
     bool known = false;
     Vec3 p = Vec3::Zero(), force = Vec3::Zero(), v = Vec3::Zero(), torque = Vec3::Zero(), w = Vec3::Zero();
     core::Quat q = core::Quat::Identity();
+    double damping_Ns_per_m = 0.0; ///< that the laws used
 };
+
+/// The turn from one orientation to the next, as a vector; exact to the third order of the angle.
+Vec3 turnOf(const core::Quat& from, const core::Quat& to) {
+    const core::Quat turn = to * from.conjugate();
+    return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
+}
 
 class Sweep {
 public:
     Sweep(const catalogue::ExerciseLevel& level, const SweepSettings& settings)
-        : m_settings(settings), m_numbers(numbersOf(level)) {
+        : m_settings(settings), m_numbers(numbersOf(level)), m_facts(SweepFacts::of(level.exercise)) {
         auto kind = session::exerciseKind(level.exercise);
         if (!kind)
             qFatal("%s", kind.error().message.c_str());
@@ -114,14 +64,14 @@ public:
         }
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
+        m_result.limit_Nm = m_kind->torqueLimit_Nm(level);
         m_result.yieldStated = m_numbers.yield_N > 0.0;
-        if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
-            wayInto(*urethra);
-            m_result.limit_Nm = urethra->maximumTorque_Nm;
-        }
         if (m_result.yieldStated)
             m_result.yieldForce_N = m_numbers.yield_N;
         m_result.yieldTorque_Nm = m_numbers.yield_Nm;
+        m_setup.safety = session::headlessSafety(level);
+        m_result.cap_N = std::min(m_setup.safety.siteForce_N, m_setup.safety.exerciseForce_N);
+        m_result.measured = m_facts != nullptr;
     }
 
     SweepResult run() {
@@ -130,18 +80,11 @@ public:
                 appear(path);
             follow(static_cast<std::uint64_t>(path));
         }
+        leaveGuard();
         return m_result;
     }
 
 private:
-    /// Nobody meets a meatus by chance: along the canal and out again.
-    void wayInto(const simulation::UrethraInsertionParameters& p) {
-        const simulation::UrethraCentreline line(p.anatomy);
-        for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(),
-                                 line.length_m() + 0.015})
-            m_wayIn.push_back(p.pose.pointToW(line.at(s_m).p_A));
-    }
-
     void appear(int path) {
         m_wayAt = 0;
         m_setup.seed = m_settings.seed + static_cast<std::uint64_t>(path);
@@ -160,14 +103,37 @@ private:
             m_clear[i] = m_hands[i].now().p_WT;
         if (!m_settings.onlyInTheAir && (path / m_settings.pathsPerScene) % 2 == 1)
             beginAnywhere();
+        m_true.reset(); // before its scene
         m_scene = m_kind->makeScene(m_setup);
+        m_result.conservative = m_scene->conservative();
+        if (m_settings.guarded)
+            enterGuard();
+        else if (m_facts != nullptr)
+            m_true = m_facts->trueContact(m_setup, *m_scene);
         m_out = {};
         m_met.fill(std::nullopt);
+        m_presented = false;
+        m_escaped = m_escapedBefore = 0.0;
         m_guess = core::Random::stream(m_setup.seed, "sweep guess");
         m_before.assign(m_reach.size(), {});
         m_bitsBefore = {};
         m_stiffnessBefore = 0.0;
         m_open = false;
+    }
+
+    void enterGuard() {
+        leaveGuard();
+        std::vector<double> budgets_Ns_per_m;
+        for (const devices::DeviceDescriptor& device : m_setup.devices)
+            budgets_Ns_per_m.push_back(device.maximumDamping_Ns_per_m);
+        m_guard = std::make_unique<GuardedContact>(budgets_Ns_per_m, m_setup.safety);
+        for (std::size_t i = 0; i < m_setup.devices.size(); ++i)
+            m_in.dampingBudget_Ns_per_m[i] = m_guard->budget_Ns_per_m(i);
+    }
+    void leaveGuard() {
+        if (m_guard)
+            m_result.withheld_J += m_guard->out().energyWithheld_J;
+        m_guard.reset();
     }
 
     /// Within tissue, too, and under the table: each tool from where its mechanism reaches, next to what lies
@@ -215,11 +181,10 @@ private:
     std::optional<Vec3> lure(std::size_t tool) {
         if ((m_out.contact[tool] & core::contact_bits::kThrough) != 0)
             return m_clear[tool];
-        if (!m_wayIn
-                 .empty()) { // from before the entrance to as deep as there is something, a stretch at a time
-            if ((m_in.tools.tools[tool].p_WT - m_wayIn[m_wayAt]).norm() < 0.001)
-                m_wayAt = (m_wayAt + 1) % m_wayIn.size();
-            return m_wayIn[m_wayAt];
+        if (const std::vector<Vec3>& way = m_numbers.way_W; !way.empty()) { // a stretch at a time
+            if ((m_in.tools.tools[tool].p_WT - way[m_wayAt]).norm() < 0.001)
+                m_wayAt = (m_wayAt + 1) % way.size();
+            return way[m_wayAt];
         }
         const core::LaparoscopyCues& cues = m_out.cues.exercise.of<core::LaparoscopyCues>();
         if (cues.bodies > 0)
@@ -234,6 +199,8 @@ private:
         }
         if (m_met[tool])
             return m_met[tool];
+        if (const std::vector<Vec3>& places = m_numbers.places_W; !places.empty())
+            return places[m_guess.below(places.size())];
         return Vec3(m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.05, 0.05),
                     m_guess.uniform(-0.02, 0.04)); // scenes lie about the origin of W
     }
@@ -243,11 +210,22 @@ private:
         for (int tick = 0; tick < ticks; ++tick) {
             for (std::size_t i = 0; i < m_hands.size(); ++i)
                 m_in.tools.tools[i] = m_hands[i].step(lure(i), m_out.tissue.tools[i].force != Vec3::Zero());
+            if (m_numbers.candidates > 0)
+                present();
             m_scene->respond(m_ticks.next(0), m_in, m_out);
             look(path, static_cast<std::uint64_t>(tick));
             if (m_settings.witness)
                 m_settings.witness(path, static_cast<std::uint64_t>(tick), m_out);
         }
+    }
+
+    /// What a study's runner does: some pair as soon as there is none.
+    void present() {
+        m_in.present = m_out.phase == core::TrialPhase::idle || m_out.phase == core::TrialPhase::between;
+        if (m_in.present && !m_presented)
+            m_in.presented = core::encode({static_cast<int>(m_guess.below(m_numbers.candidates)),
+                                           static_cast<int>(m_guess.below(m_numbers.arrangements))});
+        m_presented = m_in.present;
     }
 
     static void keep(Worst& worst, double value, std::uint64_t path, std::uint64_t tick, std::size_t tool,
@@ -256,60 +234,53 @@ private:
             worst = {value, path, tick, tool, p};
     }
 
+    /// Of a tube, what the other hands do to it while this one holds still: what stretches it is the way
+    /// between them.
+    struct Ends {
+        double way_m = 0.0, speed_m_per_s = 0.0, sped_m_per_s = 0.0;
+    };
+
     void look(std::uint64_t path, std::uint64_t tick) {
         ++m_result.ticks;
-        const bool stored = m_out.storedEnergy_J != 0.0 || m_out.contactStiffness_N_per_m != 0.0;
-        const double stiffest = std::max(m_out.contactStiffness_N_per_m, m_stiffnessBefore);
+        const bool told = m_out.storedEnergy_J != 0.0 || m_out.contactStiffness_N_per_m != 0.0;
         const bool appeared =
             (m_out.events & core::event_bits::kSceneChanged) != 0 || m_out.phase != m_phaseBefore;
-        const double escaped = bodiesMoved();
+        bodiesMoved();
         const std::vector<Ends> otherEnds = endsMoved();
+        if (m_true)
+            m_true->follow(m_in, m_out);
+        if (m_guard)
+            guard(appeared, path, tick);
         bool touching = false;
         double work = 0.0;
         for (std::size_t i = 0; i < m_before.size(); ++i) {
             const core::ToolState& tool = m_in.tools.tools[i];
-            const Vec3 force = m_out.tissue.tools[i].force;
-            const double size = force.norm();
-            m_result.finite =
-                m_result.finite && force.allFinite() && m_out.tissue.tools[i].torque.allFinite();
+            const core::Wrench& wrench = m_out.tissue.tools[i];
+            const double size = wrench.force.norm();
+            m_result.finite = m_result.finite && wrench.force.allFinite() && wrench.torque.allFinite();
             touching = touching || size > 0.0;
             keep(m_result.force, size, path, tick, i, tool.p_WT);
-            keep(m_result.torque, m_out.tissue.tools[i].torque.norm(), path, tick, i, tool.p_WT);
-            if (!stored)
-                keep(m_result.inAir, size, path, tick, i, tool.p_WT);
+            keep(m_result.torque, wrench.torque.norm(), path, tick, i, tool.p_WT);
+            if (!told)
+                keep(m_result.inAirAsTold, size, path, tick, i, tool.p_WT);
             const std::uint8_t bits = m_out.contact[i];
+            if (size > 0.0 && !appeared && m_true && (bits & core::contact_bits::kThrough) == 0 &&
+                m_true->clearance_m(i, m_in, m_out) > m_true->tolerance_m())
+                keep(m_result.inAir, size, path, tick, i, tool.p_WT);
             m_result.beyondChecked += (bits & core::contact_bits::kBeyondChecked) != 0 ? 1 : 0;
             m_result.yields += (bits & core::contact_bits::kYielded) != 0 ? 1 : 0;
             if (size == 0.0 && bits == 0)
                 m_clear[i] = tool.p_WT;
             if (size > 0.0 && bits == 0)
                 m_met[i] = tool.p_WT;
-            Before& before = m_before[i];
+            const Before& before = m_before[i];
             if (before.known && !appeared) {
-                const Vec3 moved = tool.p_WT - before.p;
-                const Ends& others = otherEnds[i];
-                const double faded = m_numbers.damping_Ns_per_m *
-                                     (std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s) /
-                                     m_numbers.fade_m;
-                const double allowed =
-                    m_numbers.largest_Ns_per_m * ((tool.v_WT - before.v).norm() + others.sped_m_per_s) +
-                    (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped + others.way_m);
-                const double change = (force - before.force).norm();
-                const double turned = turnChange(before, tool, m_out.tissue.tools[i].torque, allowed);
-                if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0) {
-                    keep(m_result.fall,
-                         change - allowed - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick,
-                         i, tool.p_WT);
-                    keep(m_result.torqueFall,
-                         turned - kSteepest * m_result.yieldTorque_Nm / m_numbers.fall_ms, path, tick, i,
-                         tool.p_WT);
-                } else {
-                    keep(m_result.change, change - allowed, path, tick, i, tool.p_WT);
-                    keep(m_result.torqueChange, turned, path, tick, i, tool.p_WT);
-                }
-                work += 0.5 * (force + before.force).dot(moved);
+                compare(before, tool, i, otherEnds[i], path, tick);
+                work += 0.5 * (wrench.force + before.force).dot(tool.p_WT - before.p) +
+                        0.5 * (wrench.torque + before.torque).dot(turnOf(before.q, tool.q_WT));
             }
-            before = {true, tool.p_WT, force, tool.v_WT, m_out.tissue.tools[i].torque, tool.w_WT, tool.q_WT};
+            m_before[i] = {true,          tool.p_WT, wrench.force, tool.v_WT,
+                           wrench.torque, tool.w_WT, tool.q_WT,    m_out.damping_Ns_per_m[i]};
             m_bitsBefore[i] = bits;
         }
         m_result.touching += touching ? 1 : 0;
@@ -318,11 +289,64 @@ private:
         m_phaseBefore = m_out.phase;
     }
 
-    /// Of a tube, what the other hands do to it while this one holds still: what stretches it is the way
-    /// between them.
-    struct Ends {
-        double way_m = 0.0, speed_m_per_s = 0.0, sped_m_per_s = 0.0;
-    };
+    /// By how much force and torque changed more than they may since the tick before.
+    void compare(const Before& before, const core::ToolState& tool, std::size_t i, const Ends& others,
+                 std::uint64_t path, std::uint64_t tick) {
+        const core::Wrench& wrench = m_out.tissue.tools[i];
+        const double allowed = allowed_N(before, tool, i, others);
+        const double change = (wrench.force - before.force).norm() - allowed;
+        const double turned = turnChange(before, tool, wrench.torque, m_out.damping_Ns_per_m[i], allowed);
+        if (((m_out.contact[i] | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0) {
+            keep(m_result.fall, change - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick, i,
+                 tool.p_WT);
+            keep(m_result.torqueFall, turned - kSteepest * m_result.yieldTorque_Nm / m_numbers.fall_ms, path,
+                 tick, i, tool.p_WT);
+        } else {
+            keep(m_result.change, change, path, tick, i, tool.p_WT);
+            keep(m_result.torqueChange, turned, path, tick, i, tool.p_WT);
+        }
+    }
+
+    /// How much a force may change in one tick, but for 0.1 N (testing.md, The sweep, argues each term):
+    ///   (1 + μ) ((k + F ∇∇h) w + b Δv + Δb v) + σ₀ w + B
+    /// w: the way, between tool and object, which of a tube is the way between the hands that hold it; k and
+    /// b as the scene reports them, the larger of both ticks; v, Δv: speed and its change; B: what is meant
+    /// to break.
+    double allowed_N(const Before& before, const core::ToolState& tool, std::size_t i,
+                     const Ends& others) const {
+        const double way =
+            (tool.p_WT - before.p).norm() + std::max(m_escaped, m_escapedBefore) + others.way_m;
+        const double speed = std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s +
+                             std::max(m_escaped, m_escapedBefore) / core::kTickSeconds;
+        const double turn = before.q.angularDistance(tool.q_WT);
+        const double sped =
+            (tool.v_WT - before.v).norm() + others.sped_m_per_s + m_escapeSped_m_per_s +
+            (m_numbers.shaft_m > 0.0 ? m_numbers.shaft_m * (tool.w_WT - before.w).norm() + turn * speed
+                                     : 0.0);
+        const double damping = m_out.damping_Ns_per_m[i];
+        const double stiffness =
+            std::max(m_out.contactStiffness_N_per_m, m_stiffnessBefore) +
+            m_numbers.rough_per_m * std::max(m_out.tissue.tools[i].force.norm(), before.force.norm());
+        return (1.0 + m_numbers.friction) *
+                   (stiffness * way + std::max(damping, before.damping_Ns_per_m) * sped +
+                    std::abs(damping - before.damping_Ns_per_m) * speed) +
+               m_numbers.bristle_N_per_m * way + m_numbers.breaks_N_per_ms;
+    }
+
+    void guard(bool appeared, std::uint64_t path, std::uint64_t tick) {
+        m_guard->step(m_in.tools, m_out, appeared);
+        const haptics::SafetyOutput& safe = m_guard->out();
+        m_result.damped += (safe.guards & core::guard_bits::kPassivity) != 0 ? 1 : 0;
+        for (std::size_t i = 0; i < m_before.size(); ++i)
+            keep(m_result.commanded, safe.tools[i].wrench_W.force.norm(), path, tick, i,
+                 m_in.tools.tools[i].p_WT);
+        if (!m_guard->counts())
+            return;
+        keep(m_result.returned, m_guard->returned_J(), path, tick, 0, m_in.tools.tools[0].p_WT);
+        keep(m_result.brought, m_guard->grown_J(), path, tick, 0, m_in.tools.tools[0].p_WT);
+        keep(m_result.overReturned, m_guard->over_J(m_out), path, tick, 0, m_in.tools.tools[0].p_WT);
+    }
+
     std::vector<Ends> endsMoved() const {
         std::vector<Ends> ends(m_before.size());
         if (m_out.cues.exercise.of<core::LaparoscopyCues>().grips == 0)
@@ -338,50 +362,65 @@ private:
         return ends;
     }
 
-    /// By how much the torque changed more than it may; `allowed_N`: what the force may change by.
+    /// By how much the torque changed more than it may; `force_N`: what the force may change by.
     double turnChange(const Before& before, const core::ToolState& tool, const Vec3& torque,
-                      double allowed_N) const {
+                      double damping_Ns_per_m, double force_N) const {
         constexpr double kLeaning = 4.0 / 3.0; // 1/cos² of 30°, as far as tilts are checked
         const double turn = before.q.angularDistance(tool.q_WT), way = (tool.p_WT - before.p).norm();
-        const double spin = m_numbers.largest_Ns_per_m * m_numbers.shaft_m * m_numbers.shaft_m *
-                            (tool.w_WT - before.w).norm();
+        const double r2 = m_numbers.shaft_m * m_numbers.shaft_m;
+        const double spin =
+            r2 * (std::max(damping_Ns_per_m, before.damping_Ns_per_m) * (tool.w_WT - before.w).norm() +
+                  std::abs(damping_Ns_per_m - before.damping_Ns_per_m) *
+                      std::max(tool.w_WT.norm(), before.w.norm()));
         return (torque - before.torque).norm() -
                kLeaning * (m_numbers.turn_Nm_per_rad * turn + m_numbers.turn_Nm_per_m * way) -
-               m_numbers.shaft_m * allowed_N - spin;
+               m_numbers.shaft_m * force_N - (1.0 + m_numbers.friction) * spin;
     }
 
-    /// How far any loose object went since the tick before, m: the way is that between tool and object.
-    double bodiesMoved() {
-        double most = 0.0;
+    /// How far any loose object went since the tick before: the way is that between tool and object. A body's
+    /// place is told after it has moved, a held one's at once, so that both this way and the last one count.
+    void bodiesMoved() {
+        m_escapedBefore = m_escaped;
+        m_escaped = m_escapeSped_m_per_s = 0.0;
         const core::LaparoscopyCues& cues = m_out.cues.exercise.of<core::LaparoscopyCues>();
         for (std::size_t i = 0; i < static_cast<std::size_t>(cues.bodies); ++i) {
             const Vec3 p(cues.body[i].p_W[0], cues.body[i].p_W[1], cues.body[i].p_W[2]);
-            most = std::max(most, (p - m_bodies[i]).norm());
+            const Vec3 way = p - m_bodies[i];
+            m_escaped = std::max(m_escaped, way.norm());
+            m_escapeSped_m_per_s =
+                std::max({m_escapeSped_m_per_s, (way - m_bodyWays[i][0]).norm() / core::kTickSeconds,
+                          (m_bodyWays[i][0] - m_bodyWays[i][1]).norm() / core::kTickSeconds});
             m_bodies[i] = p;
+            m_bodyWays[i] = {way, m_bodyWays[i][0]};
         }
-        return most;
     }
 
-    /// Books over one contact of all tools, from nothing stored to nothing stored: closed, they say what the
-    /// law made.
+    /// Books over one contact of all tools, from nothing stored and everything still to the same again:
+    /// closed, they say what the law made.
     void count(bool touching, bool appeared, double work, std::uint64_t path, std::uint64_t tick) {
-        const bool idle = !touching && m_out.storedEnergy_J == 0.0;
+        const bool idle = !touching && m_out.storedEnergy_J <= kNothing_J && m_escaped < kStill_m;
         if (m_open && !appeared)
             m_work_J += work;
-        if (m_open && idle && !appeared)
+        if (m_open && idle && !appeared && m_touched) {
             keep(m_result.made, m_work_J, path, tick, 0, m_in.tools.tools[0].p_WT);
+            ++m_result.closed;
+        }
+        m_touched = (m_touched || touching) && !idle && !appeared;
         if (idle || appeared)
             m_work_J = 0.0;
         m_open = (m_open || idle) && !appeared;
     }
 
     SweepSettings m_settings;
-    ContentNumbers m_numbers;
+    LevelNumbers m_numbers;
+    const SweepFacts* m_facts; ///< null: nobody wrote them
     const session::ExerciseKind* m_kind = nullptr;
     session::SessionSetup m_setup;
     std::vector<ToolReach> m_reach;
     std::vector<HandPath> m_hands; ///< after what they reach
     std::unique_ptr<simulation::IScene> m_scene;
+    std::unique_ptr<TrueContact> m_true; ///< of that scene
+    std::unique_ptr<GuardedContact> m_guard;
     simulation::SceneInput m_in;
     simulation::SceneOutput m_out;
     realtime::TickSource m_ticks;
@@ -391,13 +430,20 @@ private:
                                               Vec3::Zero()}; ///< where each touched nothing last
     std::array<Vec3, core::LaparoscopyCues::kMaxBodies> m_bodies{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                                                                  Vec3::Zero()};
+    std::array<std::array<Vec3, 2>, core::LaparoscopyCues::kMaxBodies> m_bodyWays{
+        {{Vec3::Zero(), Vec3::Zero()},
+         {Vec3::Zero(), Vec3::Zero()},
+         {Vec3::Zero(), Vec3::Zero()},
+         {Vec3::Zero(), Vec3::Zero()}}}; ///< in the last two ticks
+    double m_escaped = 0.0, m_escapedBefore = 0.0, m_escapeSped_m_per_s = 0.0;
+    bool m_presented = false;
     std::array<std::optional<Vec3>, core::kMaxTools> m_met; ///< where each last touched tissue that was whole
     core::Random m_guess = core::Random::stream(0, "sweep guess");
-    std::vector<Vec3> m_wayIn;
     std::size_t m_wayAt = 0;
     double m_stiffnessBefore = 0.0;
     core::TrialPhase m_phaseBefore = core::TrialPhase::idle;
-    bool m_open = false; ///< the books began with nothing stored
+    bool m_open = false;    ///< the books began with nothing stored
+    bool m_touched = false; ///< since then
     double m_work_J = 0.0;
     SweepResult m_result;
 };
@@ -422,22 +468,43 @@ SweepResult sweepLevel(const catalogue::ExerciseLevel& level, const SweepSetting
 
 std::string SweepResult::heading() {
     return "level                                     F max N  yields at N   over the bound N  over fall N   "
-           "in air N   made uJ   T max mNm  yields at  over bound  over fall   yields  beyond %  contact %";
+           "in air N  as told N  law  made uJ  closed   T max mNm  yields at  over bound  over fall   yields "
+           " "
+           "beyond %  contact %";
 }
 
 std::string SweepResult::line() const {
     char text[480];
     const double all = static_cast<double>(std::max<std::uint64_t>(1, ticks));
-    std::snprintf(text, sizeof text,
-                  "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %8.3f  %10.1f  %9.1f  %10.3f  %9.3f  %7llu  "
-                  "%8.2f  %9.1f",
-                  level.c_str(), shown(force), yieldForce_N, shown(change), shown(fall), shown(inAir),
-                  shown(made, 1e6), shown(torque, 1e3), 1e3 * yieldTorque_Nm, shown(torqueChange, 1e3),
-                  shown(torqueFall, 1e3), static_cast<unsigned long long>(yields),
-                  100.0 * static_cast<double>(beyondChecked) / all,
-                  100.0 * static_cast<double>(touching) / all);
+    std::snprintf(
+        text, sizeof text,
+        "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %9.4f  %3s  %8.3f  %6llu  %10.1f  %9.1f  %10.3f "
+        " %9.3f  %7llu  %8.2f  %9.1f",
+        level.c_str(), shown(force), yieldForce_N, shown(change), shown(fall), shown(inAir),
+        shown(inAirAsTold), conservative ? "-dU" : "no", shown(made, 1e6),
+        static_cast<unsigned long long>(closed), shown(torque, 1e3), 1e3 * yieldTorque_Nm,
+        shown(torqueChange, 1e3), shown(torqueFall, 1e3), static_cast<unsigned long long>(yields),
+        100.0 * static_cast<double>(beyondChecked) / all, 100.0 * static_cast<double>(touching) / all);
     return std::string(text) + "\n    F" + at(force) + "  change" + at(change) + "  fall" + at(fall) +
-           "  air" + at(inAir) + "  T" + at(torque) + "  T change" + at(torqueChange);
+           "  air" + at(inAir) + "  made" + at(made) + "  T" + at(torque) + "  T change" + at(torqueChange);
+}
+
+std::string SweepResult::guardedHeading() {
+    return "level                                    law  made uJ (law)  returned mJ  in a tick mJ  over "
+           "what "
+           "is allowed mJ  commanded N  cap N  acted %  withheld mJ";
+}
+
+std::string SweepResult::guardedLine() const {
+    char text[320];
+    const double all = static_cast<double>(std::max<std::uint64_t>(1, ticks));
+    std::snprintf(text, sizeof text,
+                  "%-40s %3s  %13.3f  %11.4f  %12.4f  %23.4f  %11.3f  %5.2f  %7.2f  %11.3f", level.c_str(),
+                  conservative ? "-dU" : "no", shown(made, 1e6), shown(returned, 1e3), shown(brought, 1e3),
+                  shown(overReturned, 1e3), shown(commanded), cap_N,
+                  100.0 * static_cast<double>(damped) / all, 1e3 * withheld_J);
+    return std::string(text) + "\n    returned" + at(returned) + "  in a tick" + at(brought) + "  over" +
+           at(overReturned);
 }
 
 } // namespace chiron::tests

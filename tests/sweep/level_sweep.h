@@ -24,19 +24,20 @@ struct Worst {
 /// What a tool met that was pushed, dragged and lifted through one level, over all that its mechanism
 /// reaches.
 struct SweepResult {
-    std::string level;        ///< "exercise/number id"
-    bool yieldStated = false; ///< the level's content says at which force its tissue gives way
+    std::string level;         ///< "exercise/number id"
+    bool conservative = false; ///< the scene says that its law has a potential
+    bool measured = false;     ///< somebody wrote SweepFacts for this exercise
+    bool yieldStated = false;  ///< the level's content says at which force its tissue gives way
     double yieldForce_N = std::numeric_limits<double>::infinity(); ///< that force
     double yieldTorque_Nm = 0.0; ///< and the torque; 0: nothing of the level turns the tool
     double limit_N = 0.0;        ///< the level's limit
-    double limit_Nm = 0.0;       ///< and of torque, where it has one
+    double limit_Nm = 0.0;       ///< and of torque
     std::uint64_t ticks = 0, touching = 0, beyondChecked = 0, yields = 0;
     bool finite = true;
     Worst force;  ///< N, of one tool
     Worst torque; ///< N·m
-    /// N in one tick, over what the stiffness there times the way allows; yield events left out. At most 0.1
-    /// is asked for. Stiffness: what the scene says, friction's bristle, and b v / 0.5 mm of damping that
-    /// fades in; the way: between tool and object, which of a tube is the way between the hands that hold it.
+    /// N in one tick, over what the way and the change of speed allow there (Sweep::allowed_N); yield events
+    /// left out. At most 0.1 is asked for.
     Worst change;
     Worst fall; ///< the same during a yield event, over what its curve allows too
     /// N·m in one tick, over what the tissue's turning back allows: k_φ times the turn and what the way turns
@@ -44,11 +45,28 @@ struct SweepResult {
     /// radius of the shaft. At most 1 mN·m is asked for.
     Worst torqueChange;
     Worst torqueFall; ///< the same during a yield event, over what its curve allows too
-    Worst inAir;      ///< N, where nothing is stored and nothing is stiff
-    Worst made;       ///< J that one contact gave more than it took, by the trapezoid rule: what a law makes,
-                      ///< without a controller
-    std::string line() const; ///< for people
+    /// N, where nothing may act by true distances (true_contact.h), which are not asked for with a guard;
+    /// what has given way falls by its curve and is left out.
+    Worst inAir;
+    Worst inAirAsTold; ///< N, where the scene itself says that nothing is stored and nothing is stiff
+    /// J that one contact gave more than it took, by the trapezoid rule over forces and torques of all tools:
+    /// what the law makes, without a controller.
+    Worst made;
+    std::uint64_t closed = 0; ///< contacts whose books closed: from nothing stored and still to the same
+
+    // With SweepSettings::guarded: the same path behind the supervisor, on a device that pushes the hand.
+    std::uint64_t damped = 0; ///< ticks in which the passivity controller damped, or rendered softer
+    double withheld_J = 0.0;  ///< PassivityController::withheld_J(), of all scenes
+    Worst commanded;          ///< N
+    double cap_N = 0.0;       ///< that the supervisor keeps
+    Worst returned;     ///< J that a contact gave the hand beyond what the hand had put into it, at any time
+    Worst brought;      ///< J, the most that one tick has brought without anybody's work
+    Worst overReturned; ///< J, over what the controller allows (GuardedContact::over_J)
+
+    std::string line() const;        ///< for people
+    std::string guardedLine() const; ///< for people, of the supervisor's numbers
     static std::string heading();
+    static std::string guardedHeading();
 };
 
 struct SweepSettings {
@@ -59,13 +77,16 @@ struct SweepSettings {
     int pathsPerScene = 10;    ///< every second scene is begun in the air, the others wherever the mechanism
                                ///< reaches: in tissue, under the table
     bool onlyInTheAir = false; ///< every scene is begun in the air
+    /// Also through a supervisor, whose device lends the laws its damping budget.
+    bool guarded = false;
     /// What the scene answered in each tick, if somebody wants to see it; `tick` counts within the path.
     std::function<void(std::uint64_t path, std::uint64_t tick, const simulation::SceneOutput& answered)>
         witness;
 };
 
-/// Drives the level's scene itself, as fast as it goes, without loop, supervisor or device. Every tool of the
-/// level takes a path of its own.
+/// Drives the level's scene itself, as fast as it goes, without loop or device; the motion is prescribed, so
+/// that no supervisor changes it. Every tool of the level takes a path of its own. A study's level is
+/// presented one pair of objects after the other.
 SweepResult sweepLevel(const catalogue::ExerciseLevel& level, const SweepSettings& settings);
 
 } // namespace chiron::tests

@@ -4,6 +4,7 @@
 #include "cli/device_check.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
+#include "devices/api/device_descriptor.h"
 #include "devices/driver_catalogue.h"
 #include "mechanisms/friction_identification.h"
 #include "mechanisms/scripted_motion.h"
@@ -43,10 +44,13 @@ core::Result<CommandOutput> list(const Arguments&) {
     return CommandOutput{QJsonDocument(drivers), table.toText(), 0};
 }
 
-/// Refuses every driver except the simulated one, which is the only one that the check supports.
+/// Id of the only driver that the check supports: that of the simulated mechanisms.
+std::string checkedDriver() {
+    return std::string(devices::usualDriver(devices::MovedBy::scriptedOperator).id);
+}
+
 core::Result<void> refuseOtherDrivers(const QString& driver) {
-    const std::string_view simulated = devices::usualDriver(devices::MovedBy::scriptedOperator).id;
-    if (driver.isEmpty() || driver.toStdString() == simulated)
+    if (driver.isEmpty() || driver.toStdString() == checkedDriver())
         return {};
     if (devices::findDriver(driver.toStdString()) == nullptr)
         return wrongUse(
@@ -75,7 +79,9 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     CHIRON_TRY(fingers);
     check.fingers = std::move(*fingers);
     check.friction = mechanisms::identifyFingertipFriction(plant);
-    check.arm = mechanisms::verifyFingertipArm({}, *seed);
+    auto arm = mechanisms::verifyFingertipArm({}, *seed);
+    CHIRON_TRY(arm);
+    check.arm = std::move(*arm);
     check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds,
                                                                   check.verification.latency_s);
@@ -100,7 +106,7 @@ struct MeasuredDelay {
 core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& plant) {
     session::SimulatedHand atRest;
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
-    atRest.gimbal = &plant;
+    atRest.plant = plant;
     auto station = session::simulatedStation(devices::kGimbalHprd, std::move(atRest));
     CHIRON_TRY(station);
     const session::StationTool& tool = station->tools.front();
@@ -109,7 +115,6 @@ core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& pla
     return MeasuredDelay{*estimate, tool.device->descriptor().serialNumber};
 }
 
-constexpr double kCompensation = 0.8; ///< haptics::FrictionCompensation::kMost
 /// At and above this speed, the compensation must reduce the friction felt by at least the fraction kTaken
 /// ...
 constexpr double kMoving_m_per_s = 0.045;
@@ -165,7 +170,7 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     CHIRON_TRY(delay);
     const double latency_s = delay->estimate.delay_s;
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
-    const auto felt = session::feelFriction(parameters, kCompensation);
+    const auto felt = session::feelFriction(parameters, devices::kMostFrictionCompensation);
     CHIRON_TRY(felt);
     TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"),
                      QStringLiteral(">viscous"), QStringLiteral(">given")});
@@ -245,7 +250,7 @@ CommandSpec checkCommand() {
          QStringLiteral(
              "fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
         {QStringLiteral("driver"), QStringLiteral("ID"),
-         QStringLiteral("the device's driver (default: simulated)")},
+         QStringLiteral("the device's driver (default: %1)").arg(QString::fromStdString(checkedDriver()))},
         {QStringLiteral("seed"), QStringLiteral("S"),
          QStringLiteral("of sensor noise and poses (default 1)")},
         {QStringLiteral("frequency"), QStringLiteral("HZ"),

@@ -112,6 +112,21 @@ core::Result<std::vector<ScoreView>> runAll(session::OpenedSite& site, const dat
     return views;
 }
 
+bool hasSeveralMechanisms(const session::ExerciseKind& kind) {
+    return kind.mechanisms().size() > 1;
+}
+
+/// Kinematics ids of the mechanisms among which exercises leave a choice, as "a or b".
+QString mechanismsToChoose() {
+    QStringList ids;
+    for (const session::ExerciseKind* kind : session::exerciseKinds())
+        if (hasSeveralMechanisms(*kind))
+            for (const std::string_view mechanism : kind->mechanisms())
+                ids << QString::fromUtf8(mechanism.data(), static_cast<qsizetype>(mechanism.size()));
+    ids.removeDuplicates();
+    return ids.join(QStringLiteral(" or "));
+}
+
 core::Result<CommandOutput> train(const Arguments& arguments) {
     std::vector<std::string> secrets;
     if (arguments.has(QStringLiteral("as"))) {
@@ -185,10 +200,8 @@ std::vector<CommandSpec> trainCommands() {
              .arg(kindsWith(
                  [](const session::ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }))},
         {QStringLiteral("mechanism"), QStringLiteral("ID"),
-         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (%1); default: the "
-                        "exercise's usual one")
-             .arg(
-                 kindsWith([](const session::ExerciseKind& kind) { return kind.mechanisms().size() > 1; }))}};
+         QStringLiteral("what the scripted hand holds: %1 (%2); default: the exercise's usual one")
+             .arg(mechanismsToChoose(), kindsWith(hasSeveralMechanisms))}};
     command.example =
         QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
     command.run = train;

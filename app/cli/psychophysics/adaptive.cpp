@@ -93,8 +93,7 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
             tell(QStringLiteral("stdin line %1: the procedure is done; this answer changes nothing")
                      .arg(number));
         }
-        if (auto printed = printLine(state); !printed)
-            return printed;
+        CHIRON_TRY(printLine(state));
     }
     if (std::cin.bad())
         return core::fail(core::ErrorCode::storage,

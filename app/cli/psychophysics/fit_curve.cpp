@@ -30,8 +30,7 @@ core::Result<void> readSimulations(const Arguments& arguments, FitOptions& optio
     const auto confidence = arguments.number(QStringLiteral("confidence"), 0.5, 0.999, 0.95);
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     for (const auto* whole : {&bootstrap, &monteCarlo, &curve})
-        if (!*whole)
-            return tl::unexpected(whole->error());
+        CHIRON_TRY(*whole);
     if (!confidence || !seed)
         return tl::unexpected(confidence ? seed.error() : confidence.error());
     if (*bootstrap > 0) {
@@ -48,8 +47,7 @@ core::Result<void> readSimulations(const Arguments& arguments, FitOptions& optio
 
 core::Result<FitOptions> readOptions(const Arguments& arguments) {
     auto read = readCurve(arguments);
-    if (!read)
-        return read;
+    CHIRON_TRY(read);
     FitOptions options = *read;
     const auto prior =
         arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "open_below", "open_above", "wide"},

@@ -117,8 +117,7 @@ core::Result<ReadRow> readRow(const CsvTable& table, std::size_t row, const Answ
                right = table.number(row, columns.trials() ? columns.correct : columns.right);
     const auto of = columns.trials() ? core::Result<double>(1.0) : table.number(row, columns.total);
     for (const auto* value : {&x, &right, &of})
-        if (!*value)
-            return tl::unexpected(value->error());
+        CHIRON_TRY(*value);
     read.x = *x;
     read.right = *right;
     read.of = *of;

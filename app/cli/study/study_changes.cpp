@@ -156,8 +156,7 @@ core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
     auto done = changed(*study, [&](database::StudyRepository repository, database::StudyNumber number) {
         return repository.unblindStudy(number, reason);
     });
-    if (!done)
-        return done;
+    CHIRON_TRY(done);
     const int toCome = session::peopleToCome(*design, study->record.summary, *participants);
     QJsonObject json = done->json.object();
     json.insert("people_to_come", toCome);

@@ -56,8 +56,7 @@ core::Result<StudyToRun> ofFile(database::Database* database, const database::Ac
 core::Result<database::StudyNumber> frozen(database::StudyRepository& repository, const StudyDesign& design) {
     auto made =
         repository.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
-    if (!made)
-        return made;
+    CHIRON_TRY(made);
     CHIRON_TRY(repository.freezeStudy(*made));
     return made;
 }

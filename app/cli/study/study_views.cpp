@@ -16,6 +16,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace chiron::cli {
@@ -118,8 +119,7 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     const auto ratio = arguments.number(QStringLiteral("ratio"), 0.01, 100.0, 1.0);
     CHIRON_TRY(participants);
     for (const auto* each : {&wanted, &alpha, &between, &ratio})
-        if (!*each)
-            return tl::unexpected(each->error());
+        CHIRON_TRY(*each);
     question.participants = static_cast<int>(*participants);
     question.alpha = *alpha;
     (question.paired ? question.effectSdLog10 : question.personSdLog10) = *between;
@@ -144,15 +144,12 @@ QJsonObject powerJson(const PowerInputs& inputs, const ConditionPlan& plan) {
                      {"wanted_power", inputs.wanted},
                      {"between_sd_log10", question.paired ? question.effectSdLog10 : question.personSdLog10},
                      {"run_sd_log10", numberOrNull(plan.sdLog10)}};
-    const auto with = [&](double sd, auto&& figure) {
-        question.runSdLog10 = std::max(sd, 0.0);
-        return std::isfinite(sd) ? figure(question) : std::nan("");
-    };
-    const auto insert = [&](const char* key, auto&& figure) {
-        const double value = with(plan.sdLog10, figure), low = with(plan.sdLog10 - plan.sdError, figure),
-                     high = with(plan.sdLog10 + plan.sdError, figure);
+    question.runSdLog10 = plan.sdLog10;
+    const auto insert = [&](const char* key, const std::function<double(const PowerQuestion&)>& figure) {
+        const double value = std::isfinite(plan.sdLog10) ? figure(question) : std::nan("");
         json.insert(QLatin1String(key), numberOrNull(value));
-        json.insert(QLatin1String(key) + QStringLiteral("_error"), numberOrNull(0.5 * std::abs(high - low)));
+        json.insert(QLatin1String(key) + QStringLiteral("_error"),
+                    numberOrNull(figureError(question, plan.sdError, figure)));
     };
     insert("detectable_ratio", [&](const PowerQuestion& q) { return detectableRatio(q, inputs.wanted); });
     if (inputs.ratio) {
@@ -216,6 +213,9 @@ QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
                      {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)},
                                                      {"0.5", numberOrNull(plan.weber50)},
                                                      {"0.9", numberOrNull(plan.weber90)}}},
+                     {"weber_quantiles_error", QJsonObject{{"0.1", numberOrNull(plan.weber10Error)},
+                                                           {"0.5", numberOrNull(plan.weber50Error)},
+                                                           {"0.9", numberOrNull(plan.weber90Error)}}},
                      {"warnings", warningsJson(plan.warnings, false)}};
     if (!why.isEmpty())
         json.insert("best_spacing_why", why);
@@ -329,7 +329,7 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     QJsonArray conditions;
     TextTable table(
         {"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
-    double minutes = 0.0;
+    double minutes = 0.0, minutesError = 0.0;
     QString words;
     for (const Condition& condition : design->conditions) {
         const ConditionPlan plan =
@@ -365,12 +365,14 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
         table.add({text(condition.id), withError("bias_log10"), withError("sd_log10"), withError("coverage"),
                    withError("trials"), withError("minutes"), shown("information_per_trial")});
         minutes += plan.runs > 0 ? plan.minutes : std::nan("");
+        minutesError = std::hypot(minutesError, plan.minutesError); // each has its own random numbers
     }
     return CommandOutput{
         QJsonDocument(QJsonObject{{"study", text(design->id)},
                                   {"observer", text(observerText(*observer))},
                                   {"conditions", conditions},
-                                  {"minutes", numberOrNull(minutes)}}),
+                                  {"minutes", numberOrNull(minutes)},
+                                  {"minutes_error", numberOrNull(minutesError)}}),
         table.toText() +
             (*runs > 0 ? QStringLiteral("±: one standard error of so few simulated runs (Monte Carlo)\n")
                        : QString()) +

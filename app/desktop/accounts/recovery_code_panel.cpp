@@ -58,13 +58,18 @@ RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginNam
     row->addWidget(paper);
     row->addStretch();
     column->addLayout(row);
+    m_foot = new QWidget;
+    auto* foot = new QVBoxLayout(m_foot);
+    foot->setContentsMargins(0, 0, 0, 0);
+    foot->setSpacing(theme.px(14));
+    column->addWidget(m_foot);
     m_written = new QCheckBox(tr("I have written the code down"));
     m_written->setObjectName(QStringLiteral("recovery.written"));
-    column->addWidget(m_written);
+    foot->addWidget(m_written);
     m_next = kit::button(theme, tr("Continue"), "primary");
     m_next->setObjectName(QStringLiteral("recovery.continue"));
     m_next->setEnabled(false);
-    column->addWidget(m_next);
+    foot->addWidget(m_next);
     connect(m_written, &QCheckBox::toggled, m_next, &QPushButton::setEnabled);
     connect(m_next, &QPushButton::clicked, this, &RecoveryCodePanel::finished);
 }

@@ -21,6 +21,9 @@ public:
     enum class Backups { none, haveNoCode, haveEarlierCode };
     RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups,
                       QWidget* parent = nullptr);
+    /// The tick and the button that go on, for a PageFooter. They stand at the end of the panel until
+    /// somebody takes them.
+    QWidget* foot() const { return m_foot; }
     bool isConfirmed() const;
 
 signals:
@@ -32,6 +35,7 @@ private:
     const Theme& m_theme;
     QString m_name;
     QString m_code;
+    QWidget* m_foot;
     QCheckBox* m_written;
     QPushButton* m_next;
 };

@@ -89,18 +89,24 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
                                                 const std::atomic<bool>& cancelled) {
     auto stored = session::SessionView::open(connection, actor, session);
     CHIRON_TRY(stored);
-    if (auto read = (*stored)->decode([&cancelled](double) { return !cancelled.load(); }); !read)
-        return tl::unexpected(read.error());
-    const session::PlaybackTrack& track = **(*stored)->track();
-    const scoring::SessionTrace& trace = **(*stored)->trace();
+    return debriefDetailsOf(**stored, connection, actor, cancelled);
+}
+
+core::Result<DebriefDetails> debriefDetailsOf(session::SessionView& session, database::Connection& connection,
+                                              const database::Actor& actor,
+                                              const std::atomic<bool>& cancelled) {
+    CHIRON_TRY(session.decode([&cancelled](double) { return !cancelled.load(); }));
+    const session::PlaybackTrack& track = **session.track();
+    const scoring::SessionTrace& trace = **session.trace();
     DebriefDetails details;
-    const catalogue::ExerciseLevel& level = (*stored)->setup().level;
+    const catalogue::ExerciseLevel& level = session.setup().level;
     const auto face = exerciseFace(level.exercise);
     CHIRON_TRY(face);
     details.part = (*face)->readDebrief(level, trace);
     details.force = session_report::feltFactsOf(trace);
     details.duration_s = track.duration_s;
-    auto comments = loadComments(connection, actor, session);
+    const database::SessionId id = session.record().summary.id;
+    auto comments = loadComments(connection, actor, id);
     CHIRON_TRY(comments);
     for (NamedComment& named : *comments) {
         const auto tick = named.comment.tick;
@@ -110,10 +116,10 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     details.trials = track.trials;
     std::stable_sort(details.comments.begin(), details.comments.end(),
                      [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
-    auto card = database::ScoreRepository(connection, actor).scores(session);
+    auto card = database::ScoreRepository(connection, actor).scores(id);
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());
-    const bool judged = (*stored)->record().summary.state == database::SessionState::completed;
+    const bool judged = session.record().summary.state == database::SessionState::completed;
     const scoring::ScoreCard judgedBy = card && judged ? *card : scoring::ScoreCard{};
     details.worst = session::worstMoment(track, judgedBy, level.gates);
     details.missed = session::momentsOfFailedGates(track, judgedBy, level.gates);

@@ -8,6 +8,7 @@
 #include "desktop/playback/playback_data.h"
 #include "report/report_data.h"
 #include "session/session_setup.h"
+#include "session/session_view.h"
 #include "session/worst_moment.h"
 
 #include <atomic>
@@ -65,6 +66,10 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
 core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection,
                                                 const database::Actor& actor, database::SessionId session,
                                                 const std::atomic<bool>& cancelled);
+/// The same from a session that is open already; decodes its recording only if nothing has done so yet.
+core::Result<DebriefDetails> debriefDetailsOf(session::SessionView& session, database::Connection& connection,
+                                              const database::Actor& actor,
+                                              const std::atomic<bool>& cancelled);
 /// Reads everything that the printed report needs.
 /// Thread: worker; blocks.
 /// Errors: as for loadDebriefDetails().

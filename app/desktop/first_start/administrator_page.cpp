@@ -19,7 +19,8 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     column->addWidget(kit::label(theme, tr("Who looks after this site?"), TextStyle::heading));
     column->addWidget(kit::label(
         theme,
-        tr("The first person is an administrator, who adds people, makes backups and may train as well."),
+        tr("The first person is an administrator, who adds people, makes backups, and may also train, design "
+           "studies and run them."),
         TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("first_start.name"));
     m_nameRule =
@@ -35,8 +36,14 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
                               "change it in the settings."));
     m_passwords = new PasswordFields(theme, QStringLiteral("first_start"));
     column->addWidget(m_passwords);
-    m_notice = new NoticeArea(theme);
-    column->addWidget(m_notice);
+    m_foot = new QWidget;
+    auto* foot = new QVBoxLayout(m_foot);
+    foot->setContentsMargins(0, 0, 0, 0);
+    foot->setSpacing(theme.px(12));
+    column->addWidget(m_foot);
+    // No room is needed, because nothing stands below the buttons that could move.
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
+    foot->addWidget(m_notice);
     auto* row = new QHBoxLayout;
     m_back = kit::button(theme, tr("Back"));
     m_back->setObjectName(QStringLiteral("first_start.back"));
@@ -45,7 +52,7 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     row->addWidget(m_back);
     row->addStretch();
     row->addWidget(m_create);
-    column->addLayout(row);
+    foot->addLayout(row);
     connect(m_name, &QLineEdit::textChanged, this, &AdministratorPage::renew);
     connect(m_name, &QLineEdit::returnPressed, m_displayName, qOverload<>(&QWidget::setFocus));
     connect(m_displayName, &QLineEdit::returnPressed, m_siteName, qOverload<>(&QWidget::setFocus));

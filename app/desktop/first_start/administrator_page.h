@@ -21,6 +21,9 @@ class AdministratorPage final : public QWidget {
     Q_OBJECT
 public:
     explicit AdministratorPage(const Theme& theme, QWidget* parent = nullptr);
+    /// The buttons and what is told beside them, for a PageFooter. They stand at the end of the page until
+    /// somebody takes them.
+    QWidget* foot() const { return m_foot; }
     void focusFirst();
     void setWorking(bool working); ///< true while the site is being created
     void showProblem(const QString& text);
@@ -38,6 +41,7 @@ private:
     QLineEdit* m_displayName;
     QLineEdit* m_siteName;
     PasswordFields* m_passwords;
+    QWidget* m_foot;
     NoticeArea* m_notice;
     QPushButton* m_back;
     QPushButton* m_create;

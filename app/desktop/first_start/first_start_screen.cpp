@@ -7,6 +7,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/logo.h"
+#include "desktop/widgets/page_footer.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -18,15 +19,18 @@
 namespace chiron::desktop {
 
 namespace {
+constexpr int kFirstStartWidth_px = 640;
 const QString kCode = QStringLiteral("recovery_code");
 const QString kName = QStringLiteral("name");
 } // namespace
 
 FirstStartScreen::FirstStartScreen(AppContext& context, const Place& place) : Screen(context, place) {
-    m_scroll = new ScrollPage(context.theme(), 640);
+    m_scroll = new ScrollPage(context.theme(), kFirstStartWidth_px);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_scroll);
+    column->addWidget(m_scroll, 1);
+    m_footer = new PageFooter(context.theme(), kFirstStartWidth_px);
+    column->addWidget(m_footer);
     m_scroll->column()->addStretch(1);
     m_room = new QVBoxLayout;
     m_scroll->column()->addLayout(m_room);
@@ -81,13 +85,14 @@ QString FirstStartScreen::demonstrationFile(const QString& siteFile) {
     return info.absoluteDir().filePath(QStringLiteral("%1-demonstration.db").arg(info.completeBaseName()));
 }
 
-void FirstStartScreen::setPage(QWidget* page) {
+void FirstStartScreen::setPage(QWidget* page, QWidget* foot) {
     if (m_page)
         m_page->deleteLater(); // the call may come from one of the page's own buttons
     if (m_page)
         m_page->hide();
     m_page = page;
     m_room->addWidget(page);
+    m_footer->hold(foot); // after the page has its place, so that Tab comes to the buttons last
     if (isVisible())
         page->show(); // now, so that it can take the focus
     // Scrolls the page to its top once it has its size.
@@ -164,7 +169,7 @@ void FirstStartScreen::showAdministrator() {
         enter();
     });
     connect(page, &AdministratorPage::submitted, this, &FirstStartScreen::makeSiteFor);
-    setPage(box.frame);
+    setPage(box.frame, page->foot());
     page->focusFirst();
 }
 
@@ -209,7 +214,7 @@ void FirstStartScreen::showRecoveryCode(const QString& name, const QString& code
         else
             context().navigator().replace({QStringLiteral("login"), {}});
     });
-    setPage(box.frame);
+    setPage(box.frame, m_code->foot());
     if (auto* copy = m_code->findChild<QPushButton*>(QStringLiteral("recovery.copy")))
         copy->setFocus();
 }

@@ -13,6 +13,7 @@ class QVBoxLayout;
 namespace chiron::desktop {
 
 class AdministratorPage;
+class PageFooter;
 class RecoveryCodePanel;
 class ScrollPage;
 class StatePanel;
@@ -40,7 +41,8 @@ private:
     void showDemonstration();
     void showRecoveryCode(const QString& name, const QString& code);
     QWidget* choice(const QString& icon, const QString& title, const QString& text, QPushButton* button);
-    void setPage(QWidget* page);
+    /// `foot`: the page's buttons, which stay in sight below it.
+    void setPage(QWidget* page, QWidget* foot = nullptr);
     void makeSiteFor(const AdministratorRequest& request);
     void siteMade(const AdministratorRequest& request, core::Result<MadeSite> made);
     void demonstrationMade(core::Result<MadeSite> made);
@@ -48,6 +50,7 @@ private:
     std::shared_ptr<WorkToken> m_work; ///< of the demonstration being made
     QComboBox* m_language;
     ScrollPage* m_scroll;
+    PageFooter* m_footer;
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;
     QPointer<AdministratorPage> m_administrator;

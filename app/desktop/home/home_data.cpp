@@ -79,8 +79,7 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
     CHIRON_TRY(own);
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
-    if (auto read = readCommented(connection, reader, reading, data); !read)
-        return read;
+    CHIRON_TRY(readCommented(connection, reader, reading, data));
     data.own = rowsOf(std::move(*own), reading, kOwnShown);
     return {};
 }

@@ -13,6 +13,7 @@
 #include "desktop/site/site_name.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/logo.h"
+#include "desktop/widgets/page_footer.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 #include "session/demo_site.h"
@@ -24,6 +25,7 @@ namespace chiron::desktop {
 
 namespace {
 
+constexpr int kLoginWidth_px = 460;
 const QString kFailed = QStringLiteral("failed"); // parameter of the place: the site could not be opened
 
 /// The person who was let in, or the reason why not; with the new recovery code if one was used.
@@ -45,10 +47,12 @@ Recovered recoverAndLogIn(database::Database& database, const std::string& name,
 
 LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(context, place) {
     const Theme& theme = context.theme();
-    m_scroll = new ScrollPage(theme, 460);
+    m_scroll = new ScrollPage(theme, kLoginWidth_px);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_scroll);
+    column->addWidget(m_scroll, 1);
+    m_footer = new PageFooter(theme, kLoginWidth_px);
+    column->addWidget(m_footer);
     auto* heading = new QHBoxLayout; // side by side, so that the whole form fits 720 pixels without scrolling
     heading->setSpacing(theme.px(12));
     heading->addStretch();
@@ -185,16 +189,18 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
     m_form->focusFirst();
 }
 
-void LoginScreen::setPage(QWidget* page) {
+void LoginScreen::setPage(QWidget* page, QWidget* foot) {
     if (m_page) {
         m_page->hide();
         m_page->deleteLater(); // the call may come from one of its own buttons
     }
     m_page = page;
     m_site->setVisible(page == nullptr);
+    if (page)
+        m_room->addWidget(page);
+    m_footer->hold(foot); // after the page has its place, so that Tab comes to the buttons last
     if (!page)
         return;
-    m_room->addWidget(page);
     page->show(); // now, so that it can take the focus
     // Scrolls the page to its top once it has its size.
     QMetaObject::invokeMethod(
@@ -232,7 +238,7 @@ void LoginScreen::showForced(const database::Actor& actor, const QString& passwo
     connect(page, &NewPasswordPage::submitted, this, [this, page, actor, password](const QString& fresh) {
         changePassword(page, actor, password, fresh);
     });
-    setPage(page);
+    setPage(page, page->foot());
     page->focusFirst();
 }
 
@@ -269,7 +275,7 @@ void LoginScreen::showRecovery() {
             [this, page](const QString& name, const QString& code, const QString& password) {
                 recover(page, name, code, password);
             });
-    setPage(page);
+    setPage(page, page->foot());
     page->focusFirst();
 }
 
@@ -301,7 +307,7 @@ void LoginScreen::showNewCode(const database::Actor& actor, const QString& name,
         else
             showForm(); // the new password is set, but the login after it failed
     });
-    setPage(panel);
+    setPage(panel, panel->foot());
     if (auto* copy = panel->findChild<QWidget*>(QStringLiteral("recovery.copy")))
         copy->setFocus();
 }

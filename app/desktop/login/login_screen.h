@@ -16,6 +16,7 @@ namespace chiron::desktop {
 
 class LoginForm;
 class NewPasswordPage;
+class PageFooter;
 class RecoveryPage;
 class ScrollPage;
 class StatePanel;
@@ -38,7 +39,8 @@ private:
     void showForced(const database::Actor& actor, const QString& password);
     void showRecovery();
     void showNewCode(const database::Actor& actor, const QString& name, const QString& code);
-    void setPage(QWidget* page);
+    /// `foot`: the page's buttons, which stay in sight below it.
+    void setPage(QWidget* page, QWidget* foot = nullptr);
     void loadNames();
     void namesLoaded(core::Result<std::vector<database::LoginName>> names);
     void loadSiteName();
@@ -51,6 +53,7 @@ private:
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
     ScrollPage* m_scroll;
+    PageFooter* m_footer;
     QLabel* m_siteName; ///< below the program's name
     StatePanel* m_site; ///< shows the site as opening, failed or open
     QVBoxLayout* m_room = nullptr;

@@ -20,9 +20,15 @@ NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, Q
     m_passwords = new PasswordFields(theme, QStringLiteral("change"));
     m_passwords->setLoginName(loginName);
     column->addWidget(m_passwords);
-    m_notice = new NoticeArea(theme);
+    m_foot = new QWidget;
+    auto* foot = new QVBoxLayout(m_foot);
+    foot->setContentsMargins(0, 0, 0, 0);
+    foot->setSpacing(theme.px(12));
+    column->addWidget(m_foot);
+    // No room is needed, because nothing stands below the buttons that could move.
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
     m_notice->setObjectName(QStringLiteral("change.notice"));
-    column->addWidget(m_notice);
+    foot->addWidget(m_notice);
     auto* row = new QHBoxLayout;
     auto* back = kit::button(theme, tr("Back"));
     back->setObjectName(QStringLiteral("change.back"));
@@ -31,7 +37,7 @@ NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, Q
     row->addWidget(back);
     row->addStretch();
     row->addWidget(m_save);
-    column->addLayout(row);
+    foot->addLayout(row);
     connect(m_passwords, &PasswordFields::changed, this, &NewPasswordPage::renew);
     connect(m_passwords, &PasswordFields::submitted, this, &NewPasswordPage::submit);
     connect(m_save, &QPushButton::clicked, this, &NewPasswordPage::submit);

@@ -18,6 +18,9 @@ class NewPasswordPage final : public QWidget {
     Q_OBJECT
 public:
     NewPasswordPage(const Theme& theme, const QString& loginName, QWidget* parent = nullptr);
+    /// The buttons and what is told beside them, for a PageFooter. They stand at the end of the page until
+    /// somebody takes them.
+    QWidget* foot() const { return m_foot; }
     void focusFirst();
     void setWorking(bool working);
     void showProblem(const QString& text);
@@ -31,6 +34,7 @@ private:
     void submit();
 
     PasswordFields* m_passwords;
+    QWidget* m_foot;
     NoticeArea* m_notice;
     QPushButton* m_save;
     bool m_working = false;

@@ -31,9 +31,15 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     m_code->setPlaceholderText(QStringLiteral("XXXXX-XXXXX-XXXXX-XXXXX-XXXXX"));
     m_passwords = new PasswordFields(theme, QStringLiteral("recovery"));
     column->addWidget(m_passwords);
-    m_notice = new NoticeArea(theme);
+    m_foot = new QWidget;
+    auto* foot = new QVBoxLayout(m_foot);
+    foot->setContentsMargins(0, 0, 0, 0);
+    foot->setSpacing(theme.px(12));
+    column->addWidget(m_foot);
+    // No room is needed, because nothing stands below the buttons that could move.
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
     m_notice->setObjectName(QStringLiteral("recovery.notice"));
-    column->addWidget(m_notice);
+    foot->addWidget(m_notice);
     auto* row = new QHBoxLayout;
     auto* back = kit::button(theme, tr("Back"));
     back->setObjectName(QStringLiteral("recovery.back"));
@@ -42,7 +48,7 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     row->addWidget(back);
     row->addStretch();
     row->addWidget(m_save);
-    column->addLayout(row);
+    foot->addLayout(row);
     m_wait = new WaitCountdown(this);
     connect(m_wait, &WaitCountdown::changed, this,
             [this](int seconds) { m_save->setText(waitWords(seconds)); });

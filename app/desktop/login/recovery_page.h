@@ -21,6 +21,9 @@ class RecoveryPage final : public QWidget {
     Q_OBJECT
 public:
     RecoveryPage(const Theme& theme, const QString& loginName, QWidget* parent = nullptr);
+    /// The buttons and what is told beside them, for a PageFooter. They stand at the end of the page until
+    /// somebody takes them.
+    QWidget* foot() const { return m_foot; }
     void focusFirst();
     void setWorking(bool working);
     void showRefusal(const database::Refusal& refusal);
@@ -36,6 +39,7 @@ private:
     QLineEdit* m_name;
     QLineEdit* m_code;
     PasswordFields* m_passwords;
+    QWidget* m_foot;
     NoticeArea* m_notice;
     QPushButton* m_save;
     WaitCountdown* m_wait;

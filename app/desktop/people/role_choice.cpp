@@ -17,9 +17,10 @@ QString permits(database::Role role) {
     case database::Role::trainer:
         return RoleChoice::tr("Sees everybody's sessions, comments and voids them");
     case database::Role::researcher:
-        return RoleChoice::tr("Sees sessions by code, without names");
+        return RoleChoice::tr(
+            "Designs studies and runs them with participants; sees sessions by code, without names");
     case database::Role::admin:
-        return RoleChoice::tr("Manages people, storage and the station");
+        return RoleChoice::tr("Manages people, storage and the station; may also design and run studies");
     }
     return {};
 }

@@ -60,12 +60,18 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
         return data;
     auto stored = session::SessionView::open(connection, actor, session);
     CHIRON_TRY(stored);
-    CHIRON_TRY((*stored)->decode(progress));
-    data.track = **(*stored)->track();
+    CHIRON_TRY(addRecording(data, **stored, progress));
+    return data;
+}
+
+core::Result<void> addRecording(PlaybackData& data, session::SessionView& session,
+                                const session::ReadProgress& progress) {
+    CHIRON_TRY(session.decode(progress));
+    data.track = **session.track();
     const auto face = exerciseFace(data.setup.level.exercise);
     CHIRON_TRY(face);
-    data.layer = (*face)->playbackLayer(data.setup, **(*stored)->trace());
-    return data;
+    data.layer = (*face)->playbackLayer(data.setup, **session.trace());
+    return {};
 }
 
 core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection,

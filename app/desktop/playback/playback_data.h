@@ -7,6 +7,7 @@
 #include "desktop/playback/playback_layer.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
+#include "session/session_view.h"
 
 #include <functional>
 #include <map>
@@ -45,6 +46,10 @@ struct NamedComment {
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
                                         database::SessionId session,
                                         const std::function<bool(double)>& progress);
+/// Adds the recording of a session that is open already: track and layer. `data` has its set-up.
+/// Errors: those of decoding; cancelled.
+core::Result<void> addRecording(PlaybackData& data, session::SessionView& session,
+                                const session::ReadProgress& progress);
 /// Lists completed sessions of the same exercise, level and device class: first the person's own first and
 /// best, then scripted ones, then the others from the newest.
 core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/playback_scene.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "session/playback_ghost.h"
 
 #include <algorithm>
@@ -69,6 +69,10 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
         state.marked = true;
         state.p_WMark = trial->p_WEnd;
     }
+    for (const session::PlaybackMark& mark : track.marks)
+        if (mark.kind == session::PlaybackMarkKind::yielded && mark.p_W &&
+            mark.trial == static_cast<int>(view.moment.trial) && mark.t_s <= t_s)
+            state.p_WYielded.push_back(*mark.p_W);
     if (layer)
         layer->showIn(state, track, view, t_s);
     if (ghost) {

@@ -55,7 +55,8 @@ QString PlaybackScreen::help() const {
               "flags are answers, squares below it are "
               "comments.\n\nChoose a second session to see it beside this one: each of its trials starts "
               "together with the trial here and "
-              "is drawn in the same place.");
+              "is drawn in the same place.") +
+           QStringLiteral("\n\n") + tr("A cross in the scene shows where tissue gave way.");
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {

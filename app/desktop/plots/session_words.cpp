@@ -5,6 +5,7 @@
 #include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "devices/driver_catalogue.h"
+#include "session/exercise_kind.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -121,8 +122,8 @@ QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& 
     for (const catalogue::Exercise& entry : catalogue.exercises())
         if (entry.id == exercise)
             return QString::fromStdString(catalogue::textIn(entry.title, language.toStdString()));
-    return exercise == SessionWords::kComparison
-               ? SessionWords::comparison()
+    return session::isOnlyInStudies(exercise)
+               ? SessionWords::study()
                : QString::fromStdString(exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 

@@ -56,8 +56,11 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
     auto view = std::make_unique<report::PlotView>(theme);
     const QString title = metricTitle(row.id);
     view->setTitle(Words::tr("%1 over the attempts").arg(title));
-    const bool bare = row.unit.isEmpty() || row.unit == QLatin1String("count");
-    view->setYAxis({bare ? title : Words::tr("%1 (%2)").arg(title, row.unit), {}, {}});
+    const bool counts = row.unit == QLatin1String("count");
+    view->setYAxis(
+        {counts || row.unit.isEmpty() ? title : Words::tr("%1 (%2)").arg(title, row.unit), {}, {}});
+    if (counts)
+        view->setYWholeNumbers();
     Curve felt = curveOf(attempts, row.id.toStdString(), true);
     Curve shown = curveOf(attempts, row.id.toStdString(), false);
     double last = 0.0;
@@ -82,6 +85,8 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
         for (int i = 1; i <= std::max(1, static_cast<int>(last)); ++i)
             names.push_back(theme.locale.toString(i));
         view->setXCategories(names);
+    } else {
+        view->setXWholeNumbers();
     }
     if (felt.x.empty() && shown.x.empty())
         view->setNote(Words::tr("No completed attempt yet"));

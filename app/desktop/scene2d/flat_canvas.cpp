@@ -172,6 +172,7 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const Sce
         if (m_setup.cues.arrow)
             tools.paintArrow(tool);
     }
+    tools.paintYields(m_state);
     painter.restore();
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(setup.colours.ink, setup.scale));

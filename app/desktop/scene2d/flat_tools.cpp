@@ -182,4 +182,17 @@ void FlatTools::paintAnswer(const core::Vec3& p_W) {
         }
 }
 
+void FlatTools::paintYields(const SceneState& state) {
+    const double half = 7.0 * m_panel.unit();
+    for (const core::Vec3& p_W : state.p_WYielded) {
+        const QPointF at = m_panel.project(p_W);
+        for (const auto& [colour, wide] :
+             {std::pair{m_setup.colours.background, 6.5}, {m_setup.colours.over, 3.5}}) {
+            m_painter.setPen(QPen(colour, wide * m_panel.unit(), Qt::SolidLine, Qt::RoundCap));
+            m_painter.drawLine(at - QPointF(half, half), at + QPointF(half, half));
+            m_painter.drawLine(at - QPointF(half, -half), at + QPointF(half, -half));
+        }
+    }
+}
+
 } // namespace chiron::scene3d

@@ -3,12 +3,13 @@
 
 #include "desktop/scene2d/flat_panel.h"
 #include "desktop/scene3d/drawn_tool.h"
+#include "desktop/scene3d/scene_state.h"
 
 class QPainter;
 
 namespace chiron::scene3d {
 
-/// Draws the instrument, ghost, force arrow, drop line and pin in one of the flat views.
+/// Draws the instrument, ghost, force arrow, drop line, pin and crosses in one of the flat views.
 class FlatTools {
 public:
     FlatTools(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup)
@@ -24,6 +25,8 @@ public:
     void paintDropLine(const core::Vec3& from_W, double ground_m);
     void paintPin(const core::Vec3& p_W);
     void paintAnswer(const core::Vec3& p_W); ///< double ring where the mark should have been
+    /// Crosses where tissue gave way, over everything, because these places lie inside the tissue.
+    void paintYields(const SceneState& state);
 
 private:
     void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel,

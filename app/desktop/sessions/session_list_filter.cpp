@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/sessions/session_list_filter.h"
 
+#include "session/exercise_kind.h"
+
 #include <algorithm>
 
 namespace chiron::desktop {
@@ -25,6 +27,11 @@ std::optional<qint64> dayOf(const std::string& utc, int offset_min) {
         return std::nullopt;
     const int minutes = number(11, 2) * 60 + number(14, 2) + offset_min;
     return date.toJulianDay() + (minutes < 0 ? -1 : minutes / (24 * 60));
+}
+
+/// What only studies present has no level, whatever is stored.
+bool isOfLevel(const database::SessionSummary& session, int level) {
+    return session.level == level && !session::isOnlyInStudies(session.exercise);
 }
 
 } // namespace
@@ -102,13 +109,11 @@ bool SessionMatcher::matches(const SessionRow& row) const {
     const database::SessionSummary& session = row.summary;
     const bool inReview =
         !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
-    // Trials of a study have no level, whatever is stored.
-    const bool hasNoLevel = session.exercise == SessionWords::kComparison;
     if (!inReview || (m_filter.commented && session.comments == 0) ||
         (session.archived && !m_filter.archived) ||
         (m_filter.person != 0 && session.person != m_filter.person) ||
         (!m_exercise.empty() && session.exercise != m_exercise) ||
-        (m_filter.level != 0 && (session.level != m_filter.level || hasNoLevel)) ||
+        (m_filter.level != 0 && !isOfLevel(session, m_filter.level)) ||
         (m_filter.state && session.state != *m_filter.state) ||
         (m_filter.felt && session.felt != *m_filter.felt) ||
         (m_filter.outcome && SessionWords::outcomeOf(session) != *m_filter.outcome) || !matchesDay(session))

@@ -4,6 +4,7 @@
 #include "catalogue/catalogue.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/sessions/session_words.h"
+#include "session/exercise_kind.h"
 
 namespace chiron::desktop {
 
@@ -12,7 +13,10 @@ ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QStri
     for (const catalogue::Exercise& exercise : catalogue.exercises())
         titles.insert(QString::fromStdString(exercise.id),
                       QString::fromStdString(catalogue::textIn(exercise.title, language.toStdString())));
-    titles.insert(QString::fromLatin1(SessionWords::kComparison), SessionWords::comparison());
+    for (const session::ExerciseKind* kind : session::exerciseKinds())
+        if (kind->onlyInStudies())
+            titles.insert(QString::fromUtf8(kind->id().data(), static_cast<qsizetype>(kind->id().size())),
+                          SessionWords::study());
     return titles;
 }
 

@@ -2,6 +2,7 @@
 #include "desktop/sessions/session_table_model.h"
 
 #include "desktop/sessions/plain_cell_delegate.h"
+#include "session/exercise_kind.h"
 
 #include <algorithm>
 #include <compare>
@@ -105,8 +106,8 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     case exercise:
         return row.exercise;
     case level:
-        return session.exercise == SessionWords::kComparison ? QStringLiteral("–")
-                                                             : m_locale.toString(session.level);
+        return session::isOnlyInStudies(session.exercise) ? QStringLiteral("–")
+                                                          : m_locale.toString(session.level);
     case attempt:
         return session.attempt > 0 ? m_locale.toString(session.attempt) : QString();
     case operatorName:

@@ -2,6 +2,7 @@
 #include "desktop/sessions/session_words.h"
 
 #include "desktop/training/training_words.h"
+#include "session/exercise_kind.h"
 
 namespace chiron::desktop {
 
@@ -131,7 +132,7 @@ QString SessionWords::attempt(const database::SessionSummary& session, const QLo
 
 QString SessionWords::what(const database::SessionSummary& session, const QString& exercise,
                            const QLocale& locale) {
-    if (session.exercise == kComparison)
+    if (session::isOnlyInStudies(session.exercise))
         return exercise;
     const QString level = locale.toString(session.level);
     return session.attempt > 0
@@ -191,7 +192,7 @@ QString SessionWords::bytes(std::uint64_t bytes, const QLocale& locale) {
     return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
-QString SessionWords::comparison() {
+QString SessionWords::study() {
     return tr("Study");
 }
 

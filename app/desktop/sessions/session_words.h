@@ -55,9 +55,9 @@ public:
     /// "5 minutes ago"; from one month on the date.
     static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);
     static QString bytes(std::uint64_t bytes, const QLocale& locale);
-    /// The exercise id of a study's trials. It is in no catalogue and has no levels.
-    static constexpr const char* kComparison = "comparison";
-    static QString comparison();
+    /// What lists call a session whose exercise only studies present (ExerciseKind::onlyInStudies): it has no
+    /// title of its own.
+    static QString study();
     static QDateTime timeOf(const std::string& utc); ///< in UTC; invalid if it cannot be read
 };
 

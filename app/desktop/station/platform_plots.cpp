@@ -74,6 +74,7 @@ std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check,
     view->setXAxis({Words::tr("Error (°)"), 0.0,
                     std::max<double>(2.5, (static_cast<double>(bins.size()) + 1.0) * kBin_deg)});
     view->setYAxis({Words::tr("Poses"), 0.0, {}});
+    view->setYWholeNumbers();
     std::vector<double> x;
     std::vector<double> y;
     for (const report::PlotPoint& bin : bins) { // one step per bin, as wide as the bin

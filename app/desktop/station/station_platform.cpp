@@ -8,6 +8,7 @@
 #include "desktop/station/platform_card.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/task_strip.h"
+#include "devices/driver_catalogue.h"
 
 #include <QFileDialog>
 #include <QPushButton>
@@ -38,9 +39,10 @@ void StationScreen::startVerification() {
             m_token.reset();
             if (check) {
                 m_platformSerial = QString::fromStdString(check->serialNumber);
-                note(
-                    {"fingertip_platform", "simulated", core::buildId(), check->holds(), check->serialNumber},
-                    &m_platformChecked);
+                const devices::Driver& driver = devices::usualDriver(devices::MovedBy::scriptedOperator);
+                note({"fingertip_platform", std::string(driver.id), core::buildId(), check->holds(),
+                      check->serialNumber},
+                     &m_platformChecked);
                 m_platform->show(std::move(*check));
             } else if (check.error().code == core::ErrorCode::cancelled)
                 m_platform->showStopped();

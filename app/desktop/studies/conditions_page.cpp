@@ -7,6 +7,7 @@
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/procedure_form.h"
+#include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/studies/text_claims.h"
 #include "desktop/widgets/flow_layout.h"
@@ -16,6 +17,8 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <algorithm>
+#include <memory>
+#include <set>
 
 namespace chiron::desktop {
 
@@ -92,10 +95,10 @@ QWidget* ConditionsPage::sharedBox() {
     }
     fact(tr("Task"), study_words::task(condition().task));
     fact(tr("Candidates"), locale.toString(static_cast<int>(stimulus.differences.size())));
-    fact(tr("Differences from the reference"),
-         tr("%1 to %2")
-             .arg(study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
-                  study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale)));
+    const QStringList ends = study_words::percents({study_words::ratioOf(stimulus.differences.front()),
+                                                    study_words::ratioOf(stimulus.differences.back())},
+                                                   locale);
+    fact(tr("Differences from the reference"), tr("%1 to %2").arg(ends.front(), ends.back()));
     grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
     box.layout->addWidget(grid);
     return box.frame;
@@ -192,9 +195,11 @@ void ConditionsPage::addCondition() {
 }
 
 void ConditionsPage::removeCondition() {
+    const QString removed = buttonText(condition());
     m_page.draft.change(
         tr("Remove a condition"), {},
         [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
+    tellRemoved(m_page, tr("The condition “%1” was removed.").arg(removed));
 }
 
 bool ConditionsPage::apex() const {
@@ -247,28 +252,72 @@ QWidget* ConditionsPage::instructionsBox() {
     return box.frame;
 }
 
+namespace {
+
+/// The title that short names are made of.
+QString englishTitle(const Condition& condition) {
+    const auto found = condition.title.find("en");
+    return found == condition.title.end() ? QString() : QString::fromStdString(found->second);
+}
+
+/// Makes the short name of a condition anew from its title; no other condition has it.
+void nameByTitle(StudyDesign& design, std::size_t at) {
+    const QString wanted = shortNameOf(englishTitle(design.conditions[at]));
+    if (wanted.isEmpty())
+        return; // the title is just being typed anew
+    std::set<QString> taken;
+    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+        if (i != at)
+            taken.insert(QString::fromStdString(design.conditions[i].id));
+    design.conditions[at].id = freeShortName(wanted, taken).toStdString();
+}
+
+} // namespace
+
+/// Whether the short name was made of the title and not typed.
+bool ConditionsPage::nameFollowsTitle() const {
+    const std::string& id = condition().id;
+    return !m_page.draft.isKeptName(id) && isMadeOf(QString::fromStdString(id), englishTitle(condition()));
+}
+
 void ConditionsPage::addNames(FieldGrid& grid) {
-    addStudyText(grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
-                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& {
-                     return design.conditions[at].title;
-                 });
+    const auto at = static_cast<std::size_t>(m_shown);
+    // Decided once: a title that is being typed anew is empty for a moment, and nothing is made of it.
+    const auto follows = std::make_shared<bool>(nameFollowsTitle());
+    addStudyText(
+        grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
+        [at](StudyDesign& design) -> StudyText& { return design.conditions[at].title; }, false,
+        [at, follows, english = m_page.language == QStringLiteral("en")](StudyDesign& design) {
+            if (*follows && english)
+                nameByTitle(design, at);
+        });
     grid.explain(QStringLiteral("condition.title"),
                  tr("What the condition is called in tables and figures. Participants never see it."));
+    connect(qobject_cast<QLineEdit*>(grid.field(QStringLiteral("condition.title"))), &QLineEdit::textEdited,
+            this, [this, grid = &grid] { showNames(*grid); });
     grid.text(tr("Short name in exports"), QStringLiteral("condition.id"),
-              QString::fromStdString(condition().id), [this](const QString& now) {
+              QString::fromStdString(condition().id), [this, follows](const QString& now) {
+                  const std::string id = now.trimmed().toStdString();
+                  *follows = id.empty();
+                  if (!id.empty())
+                      m_page.draft.keepName(id);
                   edit(tr("Id of a condition"), QStringLiteral("id"),
-                       [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
+                       [&](Condition& changed) { changed.id = id; });
               });
     grid.explain(QStringLiteral("condition.id"),
-                 tr("Lower-case letters, digits and _ only; each condition has another."));
+                 tr("Lower-case letters, digits and _ only; each condition has another. It follows the "
+                    "English title until somebody types another."));
 }
 
 namespace {
 
 /// Updates names that contain the reference value: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and
-/// "tube_60_2" becomes "tube_120". Other names stay as they are.
-void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit) {
+/// "tube_60_2" becomes "tube_120". A short name without the value follows the title if it is made of it
+/// (`followsTitle`). Other names stay as they are.
+void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit,
+                     bool followsTitle) {
     Condition& changed = design.conditions[at];
+    const QString titleBefore = englishTitle(changed);
     const auto isFree = [&](const auto& isIts) {
         for (std::size_t i = 0; i < design.conditions.size(); ++i)
             if (i != at && isIts(design.conditions[i]))
@@ -303,6 +352,8 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
         const QString plain = match.captured(1) + key(now);
         const bool mine = isFree([&](const Condition& other) { return other.id == plain.toStdString(); });
         changed.id = (mine ? plain : plain + match.captured(2)).toStdString();
+    } else if (followsTitle && englishTitle(changed) != titleBefore) {
+        nameByTitle(design, at);
     }
 }
 
@@ -329,11 +380,12 @@ void ConditionsPage::addReference(FieldGrid& grid) {
         apex() ? tr("Radius of the sphere") : tr("Reference"), QStringLiteral("condition.reference"),
         condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
         [this, grid = &grid, unit](double now) {
+            const bool followsTitle = nameFollowsTitle();
             m_page.draft.change(
                 tr("Reference"), QStringLiteral("%1.reference").arg(m_shown), [&](StudyDesign& design) {
                     const auto at = static_cast<std::size_t>(m_shown);
                     nameByReference(design, at, design.conditions[at].stimulus.reference * unit.factor, now,
-                                    unit.text);
+                                    unit.text, followsTitle);
                     design.conditions[at].stimulus.reference = now / unit.factor;
                 });
             showNames(*grid);
@@ -422,6 +474,7 @@ QWidget* ConditionsPage::proceduresBox() {
             edit(
                 tr("Remove a procedure"), {}, [](Condition& changed) { changed.procedures.pop_back(); },
                 true);
+            tellRemoved(m_page, tr("The last procedure of this condition was removed."));
         });
         auto* bar = new QWidget;
         auto* row = new FlowLayout(theme.px(8), bar);

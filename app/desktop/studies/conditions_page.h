@@ -28,6 +28,7 @@ private:
     QWidget* chooser();
     QWidget* stimulusBox();
     void addNames(FieldGrid& grid);
+    bool nameFollowsTitle() const;
     QWidget* instructionsBox();
     void addReference(FieldGrid& grid);
     void showNames(FieldGrid& grid) const;

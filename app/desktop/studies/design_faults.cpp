@@ -103,6 +103,18 @@ QString procedureField(const QString& procedure, const QString& key) {
     return QStringLiteral("procedure.%1.%2").arg(procedure, end.isEmpty() ? QStringLiteral("kind") : end);
 }
 
+/// Field of a questionnaire or of one of its questions; empty where a path names neither.
+QString questionField(const QString& path) {
+    static const QRegularExpression kItem(
+        QStringLiteral("^questionnaires\\[(\\d+)\\]\\.items\\[(\\d+)\\]\\.(\\w+)"));
+    if (const auto match = kItem.match(path); match.hasMatch())
+        return QStringLiteral("item.%1.%2.%3").arg(match.captured(1), match.captured(2), match.captured(3));
+    static const QRegularExpression kQuestionnaire(QStringLiteral("^questionnaires\\[(\\d+)\\]\\.(\\w+)"));
+    const auto match = kQuestionnaire.match(path);
+    return match.hasMatch() ? QStringLiteral("questionnaire.%1.%2").arg(match.captured(1), match.captured(2))
+                            : QString();
+}
+
 void place(DesignFault& fault, const QString& path) {
     static const QRegularExpression kCondition(QStringLiteral("^conditions\\[(\\d+)\\]\\.?(.*)$"));
     static const QRegularExpression kProcedure(QStringLiteral("^procedures\\[(\\d+)\\]\\.?(.*)$"));
@@ -124,7 +136,8 @@ void place(DesignFault& fault, const QString& path) {
             path.startsWith(QLatin1String(spot.path) + QLatin1Char('.')) ||
             path.startsWith(QLatin1String(spot.path) + QLatin1Char('['))) {
             fault.tab = spot.tab;
-            fault.field = QLatin1String(spot.field);
+            fault.field =
+                spot.tab == StudyScreen::questionnairesTab ? questionField(path) : QLatin1String(spot.field);
             return;
         }
 }
@@ -168,7 +181,19 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
         return FaultWords::tr("Use lower-case letters, digits and _ only, a letter first.");
     if (fault.expected.contains(kTwice))
         return FaultWords::tr("This is there twice. Choose another.");
-    if (fault.expected.contains(QStringLiteral("as the table of differences has")))
+    if (fault.expected == QStringLiteral("more than lowest"))
+        return FaultWords::tr("The maximum has to be above the minimum.");
+    static const QRegularExpression kChoices(QStringLiteral("^an array of (\\d+) to (\\d+) texts$"));
+    if (const auto match = kChoices.match(fault.expected); match.hasMatch())
+        return FaultWords::tr("Give from %1 to %2 choices, one per line.")
+            .arg(match.captured(1), match.captured(2));
+    static const QRegularExpression kAtMost(QStringLiteral("^at most \\w+, (\\d+)$"));
+    if (const auto match = kAtMost.match(fault.expected); match.hasMatch())
+        return FaultWords::tr("Choose a value of at most %1.")
+            .arg(locale.toString(match.captured(1).toLongLong()));
+    // The ends of the table, for procedures that begin within it.
+    if (fault.expected.startsWith(QStringLiteral("a number from minimum to maximum")) ||
+        fault.expected.contains(QStringLiteral("as the table of differences has")))
         return FaultWords::tr(
             "A level lies outside the table of differences. Choose one within it, or change the table.");
     if (const auto match = kBetween.match(fault.expected); match.hasMatch())

@@ -137,7 +137,11 @@ void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
                              generate();
                          }));
     grid.explain(QStringLiteral("differences.count"),
-                 tr("How many differences there are to choose from, in even steps."),
+                 m_bothSides
+                     ? tr("How many differences there are to choose from. Each object is larger than the one "
+                          "before by the same factor.")
+                     : tr("How many differences there are to choose from. They are spaced geometrically: "
+                          "each is larger than the one before by about the same factor."),
                  {1, kMostCandidates, kUsualCount});
     grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides,
                [this](bool to) {
@@ -155,10 +159,10 @@ void DifferenceTable::addLevels(const Theme& theme, bool readOnly, FieldGrid& gr
     for (const double difference : m_stimulus.differences)
         percents.push_back(kPercent * study_words::ratioOf(difference));
     const QString name = QStringLiteral("differences.levels");
-    m_levels = new LevelsTable(theme, m_locale, readOnly, name, percents, [this](double percent) {
-        return study_words::value(m_stimulus.reference * (1.0 + percent / kPercent), m_stimulus.attribute,
-                                  m_locale);
-    });
+    m_levels =
+        new LevelsTable(theme, m_locale, readOnly, name, percents, [this](const std::vector<double>& of) {
+            return objectsOf(m_stimulus, of, m_locale);
+        });
     grid.control(tr("Differences"), name, m_levels);
     grid.explain(
         name,
@@ -184,7 +188,14 @@ void DifferenceTable::typed(const std::vector<double>& percents) {
 }
 
 void DifferenceTable::generate() {
-    const double high = std::max(m_high_percent, m_low_percent) / kPercent;
+    const bool turned = !m_bothSides && m_count > 1 && m_low_percent >= m_high_percent;
+    for (const char* end : {"differences.low", "differences.high"})
+        m_grid->setConflict(QLatin1String(end), turned ? tr("The smallest difference has to be below the "
+                                                            "largest. The table was not changed.")
+                                                       : QString());
+    if (turned)
+        return;
+    const double high = m_high_percent / kPercent;
     emit changed(m_bothSides ? differencesAround(high, m_count)
                              : differencesBetween(m_low_percent / kPercent, high, m_count));
 }
@@ -202,14 +213,14 @@ QString DifferenceTable::summary() const {
         return tr("No candidates yet.");
     const double low = m_stimulus.differences.front();
     const double high = m_stimulus.differences.back();
-    const auto valueOf = [&](double difference) {
-        return study_words::value(m_stimulus.reference * std::pow(10.0, difference), m_stimulus.attribute,
-                                  m_locale);
-    };
+    const QStringList ends =
+        study_words::percents({study_words::ratioOf(low), study_words::ratioOf(high)}, m_locale);
+    const QStringList objects = study_words::values(
+        {m_stimulus.reference * std::pow(10.0, low), m_stimulus.reference * std::pow(10.0, high)},
+        m_stimulus.attribute, m_locale);
     return tr("%1 candidates, from %2 to %3 of the reference: %4 to %5.")
-        .arg(m_locale.toString(static_cast<int>(m_stimulus.differences.size())),
-             study_words::percent(study_words::ratioOf(low), m_locale),
-             study_words::percent(study_words::ratioOf(high), m_locale), valueOf(low), valueOf(high));
+        .arg(m_locale.toString(static_cast<int>(m_stimulus.differences.size())), ends.front(), ends.back(),
+             objects.front(), objects.back());
 }
 
 } // namespace chiron::desktop

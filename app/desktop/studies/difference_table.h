@@ -23,14 +23,14 @@ void takeTask(psychophysics::Condition& condition, psychophysics::Task task);
 /// search also replaces task, table and procedure.
 void takeAttribute(psychophysics::Condition& condition, psychophysics::Attribute attribute);
 
-/// A number of differences in equal ratios between two values, or in equal steps on both sides of the
-/// reference. Returns D, ascending.
+/// A number of differences in equal ratios between two values, or on both sides of the reference with equal
+/// ratios between the objects. Returns D, ascending.
 std::vector<double> differencesBetween(double low, double high, int count);
 std::vector<double> differencesAround(double high, int count);
 
 /// The candidates that a procedure chooses from, as differences in per cent of the reference and as values.
-/// They are generated evenly from three numbers, or typed, or pasted. Every change takes effect at once.
-/// Thread: GUI.
+/// They are generated from three numbers, spaced geometrically, or typed, or pasted. Every change takes
+/// effect at once. Thread: GUI.
 class DifferenceTable final : public QWidget {
     Q_OBJECT
 public:

@@ -15,6 +15,7 @@
 #include <QPointer>
 #include <QResizeEvent>
 #include <QSpinBox>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -152,7 +153,10 @@ void FieldGrid::setShown(const QString& name, bool shown) {
 
 QString FieldGrid::faultOf(const QString& name) const {
     const Field found = m_fields.value(name);
-    return found.unread.isEmpty() ? found.given : found.unread;
+    for (const QString& words : {found.unread, found.conflict})
+        if (!words.isEmpty())
+            return words;
+    return found.given;
 }
 
 void FieldGrid::explain(const QString& name, const QString& meaning) {
@@ -167,13 +171,12 @@ void FieldGrid::explain(const QString& name, const QString& meaning) {
 }
 
 void FieldGrid::explain(const QString& name, const QString& meaning, const UsualNumber& number) {
-    const auto said = [&](double value) { return m_locale.toString(value, 'g', 6); };
     const QString unit = m_fields.value(name).unit;
     const QString allowed =
         tr("%1 to %2, usually %3.")
-            .arg(said(number.lowest),
-                 said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit),
-                 said(number.usual));
+            .arg(limit(number.lowest),
+                 limit(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit),
+                 limit(number.usual));
     explain(name, meaning + QLatin1Char(' ') + allowed);
 }
 
@@ -182,6 +185,19 @@ void FieldGrid::setUnread(const QString& name, const QString& words) {
         return;
     m_fields[name].unread = words;
     showFault(name);
+}
+
+void FieldGrid::setConflict(const QString& name, const QString& words) {
+    if (!m_fields.contains(name) || m_fields[name].conflict == words)
+        return;
+    m_fields[name].conflict = words;
+    showFault(name);
+}
+
+/// A limit as people write it: never with an exponent.
+QString FieldGrid::limit(double number) const {
+    constexpr double kLong = 1e6;
+    return std::abs(number) < kLong ? m_locale.toString(number, 'g', 6) : m_locale.toString(number, 'f', 0);
 }
 
 void FieldGrid::showFaults(const QMap<QString, QString>& faults) {
@@ -255,10 +271,10 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
         if (!grid)
             return; // the grid is being destroyed together with the focused field
         const ReadQuantity found = readQuantity(typed, unit, m_locale);
-        const auto said = [this](double number) { return m_locale.toString(number, 'g', 6); };
         const QString still = field->before();
         switch (found.fault) {
         case ReadQuantity::Fault::empty:
+            refuse(name, tr("A number is needed here. %1 is still set.").arg(still));
             return;
         case ReadQuantity::Fault::noNumber:
         case ReadQuantity::Fault::otherUnit:
@@ -275,7 +291,7 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
                          ? tr("“%1” was not taken: it has more decimals than are kept here. %2 is still set.")
                                .arg(typed, still)
                          : tr("“%1” was not taken: choose a value from %2 to %3. %4 is still set.")
-                               .arg(typed, said(field->minimum()), said(field->maximum()) + field->suffix(),
+                               .arg(typed, limit(field->minimum()), limit(field->maximum()) + field->suffix(),
                                     still));
     };
     forgetWhenTaken(field, name);
@@ -302,7 +318,7 @@ void FieldGrid::forgetWhenTaken(QAbstractSpinBox* field, const QString& name) {
 
 QString FieldGrid::firstUnread() const {
     for (auto each = m_fields.begin(); each != m_fields.end(); ++each)
-        if (!each->unread.isEmpty())
+        if (!each->unread.isEmpty() || !each->conflict.isEmpty())
             return each.key();
     return {};
 }
@@ -319,10 +335,14 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     connect(field, &QSpinBox::valueChanged, this, [taken = std::move(taken)](int now) { taken(now); });
     add(label, field, name);
     field->refused = [this, grid = QPointer<FieldGrid>(this), field, name](const QString& typed) {
-        if (grid && !typed.isEmpty())
-            refuse(name, tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
-                             .arg(typed, m_locale.toString(field->minimum()),
-                                  m_locale.toString(field->maximum()), field->before()));
+        if (!grid)
+            return;
+        const QString still = field->before();
+        refuse(name, typed.isEmpty()
+                         ? tr("A number is needed here. %1 is still set.").arg(still)
+                         : tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
+                               .arg(typed, m_locale.toString(field->minimum()),
+                                    m_locale.toString(field->maximum()), still));
     };
     forgetWhenTaken(field, name);
     field->keep();
@@ -380,16 +400,28 @@ QPlainTextEdit* FieldGrid::longText(const QString& label, const QString& name, c
 }
 
 QLineEdit* FieldGrid::list(const QString& label, const QString& name, const std::vector<double>& values,
-                           std::function<void(std::vector<double>)> taken) {
+                           std::function<void(std::vector<double>)> taken, const NumberRange& range) {
     auto* field = new QLineEdit(listText(values, m_locale));
     field->setReadOnly(m_readOnly);
     field->setCursorPosition(0);
-    connect(field, &QLineEdit::textEdited, this, [this, name, taken = std::move(taken)](const QString& now) {
-        const NumberList read = readNumbers(now, m_locale);
-        setUnread(name, unreadWords(read));
-        if (read.unread.isEmpty())
-            taken(read.values);
-    });
+    const QString most =
+        range.unit.isEmpty() ? limit(range.maximum) : limit(range.maximum) + QLatin1Char(' ') + range.unit;
+    connect(field, &QLineEdit::textEdited, this,
+            [this, name, range, most, taken = std::move(taken)](const QString& now) {
+                const NumberList read = readNumbers(now, m_locale);
+                const auto outside =
+                    std::find_if(read.values.begin(), read.values.end(), [&range](double each) {
+                        return each < range.minimum || each > range.maximum;
+                    });
+                const QString words =
+                    read.unread.isEmpty() && outside != read.values.end()
+                        ? tr("“%1” was not taken: each number has to be from %2 to %3.")
+                              .arg(m_locale.toString(*outside, 'g', 6), limit(range.minimum), most)
+                        : unreadWords(read);
+                setUnread(name, words);
+                if (words.isEmpty())
+                    taken(read.values);
+            });
     add(label, field, name, true);
     return field;
 }

@@ -31,7 +31,7 @@ struct NumberRange {
     double minimum = -1e9;
     double maximum = 1e9;
     int decimals = 3;
-    QString unit;
+    QString unit{};
     double step = 0.0; ///< 0: a tenth of what decimals show
     QString zero{};    ///< text for the smallest value ("no limit"); empty: its number
 };
@@ -66,9 +66,9 @@ public:
     QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines,
                              std::function<void(const QString&)> taken);
     /// A list of numbers in one line over the whole width, as number_list.h reads it. Text that is not a
-    /// number is an error of the field, and `taken` is not called.
+    /// number, or a number out of range, is an error of the field, and `taken` is not called.
     QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values,
-                    std::function<void(std::vector<double>)> taken);
+                    std::function<void(std::vector<double>)> taken, const NumberRange& range = {});
     /// Adds any other widget over the whole width, as the next row.
     void wide(QWidget* widget);
     void cell(QWidget* widget); ///< in one column
@@ -85,11 +85,14 @@ public:
     void showFaults(const QMap<QString, QString>& faults);
     /// Sets the error for input that the field cannot read ("abc" for a number); empty clears it.
     void setUnread(const QString& name, const QString& words);
+    /// Sets the error for a number that does not fit another field, so that neither was taken; empty clears
+    /// it.
+    void setConflict(const QString& name, const QString& words);
     /// Hides a field that does not apply now; ignores unknown names.
     void setShown(const QString& name, bool shown);
     bool hasField(const QString& name) const { return m_fields.contains(name); }
     QWidget* field(const QString& name) const;
-    /// Name of a field whose input cannot be read, with the error shown below it; empty if there is none.
+    /// Name of a field whose input was not taken, with the error shown below it; empty if there is none.
     QString firstUnread() const;
     QString faultOf(const QString& name) const; ///< the error shown below it; empty if there is none
 
@@ -105,13 +108,14 @@ private:
     void arrange(int columns);
     void showFault(const QString& name);
     void refuse(const QString& name, const QString& words);
+    QString limit(double number) const;
     void forgetWhenTaken(QAbstractSpinBox* field, const QString& name);
 
     /// A field with the texts below it.
     struct Field {
         QWidget* widget = nullptr;
         QBoxLayout* column = nullptr;
-        QString meaning, unit, unread, given;
+        QString meaning, unit, unread, conflict, given;
         QWidget* fault = nullptr; ///< null if there is no error
     };
     struct Cell {

@@ -219,29 +219,37 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
         checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
     if (!facts.plans)
         return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
-    double worst = -1.0;
+    const ConditionPlan* worst = nullptr;
     for (const ConditionPlan& plan : *facts.plans)
-        if (std::isfinite(plan.sdLog10))
-            worst = std::max(worst, plan.sdLog10);
-    if (worst < 0.0)
+        if (std::isfinite(plan.sdLog10) && (worst == nullptr || plan.sdLog10 > worst->sdLog10))
+            worst = &plan;
+    if (worst == nullptr)
         return found(check, State::good,
                      CheckWords::tr("This kind of study estimates no threshold, so there is none to "
                                     "simulate. A pilot shows how much answers vary."));
-    QString words = CheckWords::tr("The threshold of one run varies by a factor of %1.")
-                        .arg(study_words::number(std::pow(10.0, worst), locale));
+    QString words =
+        CheckWords::tr("The threshold of one run varies by a factor of %1.")
+            .arg(study_words::withError(
+                std::pow(10.0, worst->sdLog10),
+                std::pow(10.0, worst->sdLog10 + worst->sdError) - std::pow(10.0, worst->sdLog10), locale));
     if (design.conditions.size() > 1) {
         psychophysics::PowerQuestion question;
         question.participants = std::max(2, design.participantsPlanned);
-        question.runSdLog10 = worst;
-        const double ratio = psychophysics::detectableRatio(question, kPower);
+        question.runSdLog10 = worst->sdLog10;
+        const auto smallest = [](const psychophysics::PowerQuestion& asked) {
+            return psychophysics::detectableRatio(asked, kPower);
+        };
+        const double ratio = smallest(question);
+        const double error = psychophysics::figureError(question, worst->sdError, smallest);
         words += QLatin1Char(' ') +
                  (std::isfinite(ratio)
                       ? CheckWords::tr(
                             "%1 participants find a ratio of %2 between two conditions with 80 % power.")
-                            .arg(locale.toString(question.participants), study_words::number(ratio, locale))
+                            .arg(locale.toString(question.participants),
+                                 study_words::withError(ratio, error, locale))
                       : CheckWords::tr("So few participants find no ratio up to 10 between two conditions."));
     }
-    return worst <= kPrecise_log10
+    return worst->sdLog10 <= kPrecise_log10
                ? found(check, State::good, words)
                : found(check, State::advice,
                        words + QLatin1Char(' ') +

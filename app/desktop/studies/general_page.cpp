@@ -9,19 +9,21 @@
 
 #include <QCoreApplication>
 #include <QPlainTextEdit>
+#include <QPointer>
 
 namespace chiron::desktop {
 
 using namespace psychophysics;
 
 void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name,
-                  int lines, const std::function<StudyText&(StudyDesign&)>& text, bool mayBeAbsent) {
+                  int lines, const std::function<StudyText&(StudyDesign&)>& text, bool mayBeAbsent,
+                  const std::function<void(StudyDesign&)>& follow) {
     StudyDesign now = page.draft.design();
     const StudyText& texts = text(now);
     const auto found = texts.find(page.language.toStdString());
     const QString value = found == texts.end() ? QString() : QString::fromStdString(found->second);
-    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text,
-                        mayBeAbsent](const QString& words) {
+    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text, mayBeAbsent,
+                        follow](const QString& words) {
         draft.change(QCoreApplication::translate("StudyWords", "Text change"), name,
                      [&](StudyDesign& design) {
                          StudyText& changed = text(design);
@@ -29,12 +31,31 @@ void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label,
                              changed.erase(language);
                          else
                              changed[language] = words.toStdString();
+                         if (follow)
+                             follow(design);
                      });
     };
     if (lines > 1)
         grid.longText(label, name, value, lines, taken);
     else
         grid.text(label, name, value, taken);
+}
+
+void tellRemoved(const DesignPage& page, const QString& what) {
+    const auto undo = [draft = QPointer<StudyDraft>(&page.draft), &app = page.app,
+                       removed = page.draft.version()] {
+        if (draft && draft->version() == removed)
+            draft->history().undo();
+        else
+            app.messages().information(
+                draft ? QCoreApplication::translate("StudyWords",
+                                                    "The design was changed since. Undo in the study takes "
+                                                    "back one step after another.")
+                      : QCoreApplication::translate(
+                            "StudyWords", "The study was left since, so this can no longer be undone."));
+    };
+    page.app.messages().tell(
+        {MessageKind::done, what, QCoreApplication::translate("StudyWords", "Undo"), undo});
 }
 
 kit::Box titledBox(const Theme& theme, const QString& title) {

@@ -23,6 +23,12 @@ double LevelUnits::xOf(double percent) const {
     return std::log10(study_words::differenceOf(std::max(percent, kSmallest_percent) / kPercent));
 }
 
+double LevelUnits::lowestPercent() const {
+    constexpr double kSmallestShown_percent = 0.01; // fields have two decimals
+    constexpr double kAlmostNothing_percent = -99.0;
+    return m_logarithm ? kSmallestShown_percent : kAlmostNothing_percent;
+}
+
 double LevelUnits::spreadOf(double distance) const {
     return m_logarithm ? std::pow(10.0, distance) : kPercent * study_words::ratioOf(distance);
 }

@@ -21,6 +21,8 @@ public:
     /// into a difference in per cent.
     double spreadOf(double distance) const;
     double distanceOf(double spread) const;
+    /// The smallest difference that a field offers: a logarithm has none of 0 or below.
+    double lowestPercent() const;
     bool spreadIsFactor() const { return m_logarithm; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/levels_table.h"
 
-#include "desktop/studies/number_list.h"
+#include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
@@ -20,13 +20,22 @@ constexpr int kRowsShown = 6;
 constexpr double kRow_px = 30;
 constexpr double kWidth_px = 460;
 constexpr double kNewRow_percent = 10.0;
+constexpr int kFewestDigits = 4;
 } // namespace
 
+QStringList objectsOf(const psychophysics::StimulusDesign& stimulus, const std::vector<double>& percents,
+                      const QLocale& locale) {
+    constexpr double kPercent = 100.0;
+    std::vector<double> objects;
+    for (const double percent : percents)
+        objects.push_back(stimulus.reference * (1.0 + percent / kPercent));
+    return study_words::values(objects, stimulus.attribute, locale);
+}
+
 LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name,
-                         const std::vector<double>& percents, std::function<QString(double)> value,
-                         QWidget* parent)
-    : QWidget(parent), m_locale(locale), m_readOnly(readOnly), m_value(std::move(value)),
-      m_table(new QTableWidget) {
+                         const std::vector<double>& percents, Objects objects, QWidget* parent)
+    : QWidget(parent), m_locale(locale), m_readOnly(readOnly), m_objects(std::move(objects)),
+      m_table(new QTableWidget), m_digits(kFewestDigits) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(6));
@@ -44,7 +53,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     m_table->installEventFilter(this);
     setFocusProxy(m_table);
     fill(percents);
-    connect(m_table, &QTableWidget::cellChanged, this, [this](int row, int) { edited(row); });
+    connect(m_table, &QTableWidget::cellChanged, this, [this] { edited(); });
     column->addWidget(m_table);
     if (readOnly)
         return;
@@ -61,7 +70,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
         m_filling = true;
         m_table->insertRow(m_table->rowCount());
         setRow(m_table->rowCount() - 1, kNewRow_percent);
-        m_filling = false;
+        showValues();
         m_table->setCurrentCell(m_table->rowCount() - 1, percentColumn);
         m_table->editItem(m_table->currentItem());
         taken();
@@ -69,6 +78,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     add(tr("Remove the row"), "list-remove", ".remove", [this] {
         if (m_table->rowCount() > 1 && m_table->currentRow() >= 0)
             m_table->removeRow(m_table->currentRow());
+        showValues();
         taken();
     });
     column->addWidget(bar);
@@ -76,21 +86,23 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
 
 void LevelsTable::fill(const std::vector<double>& percents) {
     m_filling = true;
+    m_digits = study_words::digitsThatDiffer(percents, kFewestDigits, [](double percent, int digits) {
+        return QLocale::c().toString(percent, 'g', digits);
+    });
     m_table->setRowCount(static_cast<int>(percents.size()));
     for (int row = 0; row < m_table->rowCount(); ++row)
         setRow(row, percents[static_cast<std::size_t>(row)]);
-    m_filling = false;
+    showValues();
 }
 
 QString LevelsTable::shown(double percent) const {
-    constexpr int kDigits = 4;
-    return m_locale.toString(percent, 'g', kDigits);
+    return m_locale.toString(percent, 'g', m_digits);
 }
 
 void LevelsTable::setRow(int row, double percent) {
     auto* number = new QTableWidgetItem(shown(percent));
     number->setData(Qt::UserRole, percent); // unrounded, because the shown value is rounded
-    auto* value = new QTableWidgetItem(m_value(percent));
+    auto* value = new QTableWidgetItem;
     number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setFlags(Qt::ItemIsEnabled);
@@ -100,25 +112,37 @@ void LevelsTable::setRow(int row, double percent) {
     m_table->setItem(row, valueColumn, value);
 }
 
+/// Rows that are not a number keep the object that they had.
 void LevelsTable::showValues() {
+    std::vector<int> rows;
+    std::vector<double> percents;
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        if (const NumberList read = numberOfRow(row); read.unread.isEmpty() && read.values.size() == 1) {
+            rows.push_back(row);
+            percents.push_back(read.values.front());
+        }
+    const QStringList objects = m_objects(percents);
     m_filling = true;
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const NumberList read = readNumbers(m_table->item(row, percentColumn)->text(), m_locale);
-        if (!read.values.empty())
-            m_table->item(row, valueColumn)->setText(m_value(read.values.front()));
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        m_table->item(rows[i], valueColumn)->setText(objects[static_cast<qsizetype>(i)]);
     m_filling = false;
 }
 
-void LevelsTable::edited(int row) {
+/// The one number of a row, unrounded as long as nobody has changed its text. An empty row has none.
+NumberList LevelsTable::numberOfRow(int row) const {
+    const QTableWidgetItem* item = m_table->item(row, percentColumn);
+    if (const double exact = item->data(Qt::UserRole).toDouble(); item->text() == shown(exact))
+        return {{exact}, {}};
+    NumberList read = readNumbers(item->text(), m_locale);
+    if (read.unread.isEmpty() && read.values.size() > 1)
+        read.unread = item->text();
+    return read;
+}
+
+void LevelsTable::edited() {
     if (m_filling)
         return;
-    const NumberList read = readNumbers(m_table->item(row, percentColumn)->text(), m_locale);
-    if (read.unread.isEmpty() && read.values.size() == 1) {
-        m_filling = true;
-        m_table->item(row, valueColumn)->setText(m_value(read.values.front()));
-        m_filling = false;
-    }
+    showValues();
     taken();
 }
 
@@ -126,17 +150,11 @@ void LevelsTable::edited(int row) {
 void LevelsTable::taken() {
     std::vector<double> percents;
     for (int row = 0; row < m_table->rowCount(); ++row) {
-        const QTableWidgetItem* item = m_table->item(row, percentColumn);
-        const QString text = item->text();
-        if (const double exact = item->data(Qt::UserRole).toDouble(); text == shown(exact)) {
-            percents.push_back(exact);
-            continue;
-        }
-        NumberList read = readNumbers(text, m_locale);
-        if (read.unread.isEmpty() && read.values.size() != 1)
-            read.unread = text;
-        if (!read.unread.isEmpty()) {
-            emit unread(unreadWords(read));
+        const NumberList read = numberOfRow(row);
+        if (!read.unread.isEmpty() || read.values.empty()) {
+            emit unread(read.unread.isEmpty()
+                            ? tr("A row is empty. Type a number into it, or remove the row.")
+                            : unreadWords(read));
             return;
         }
         percents.push_back(read.values.front());

@@ -4,6 +4,7 @@
 #include "catalogue/study_catalogue.h"
 #include "desktop/accounts/form.h"
 #include "desktop/frame/palette_search.h"
+#include "desktop/studies/difference_table.h"
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
@@ -17,7 +18,6 @@
 #include <QButtonGroup>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -29,28 +29,13 @@ constexpr int kDifferences = 40;
 constexpr double kSmallest_percent = 2.0;
 constexpr double kLargest_percent = 60.0;
 constexpr double kUsualStiffness_N_per_m = 300.0;
-constexpr qsizetype kLongestKey = 40;
-
-bool isKey(const QString& key) {
-    static const QRegularExpression kKey(QStringLiteral("^[a-z][a-z0-9_]{0,62}$"));
-    return kKey.match(key).hasMatch();
-}
-
-/// Converts "Tubes of 60 N/m" into "tubes_of_60_n_m"; letters that cannot occur in keys are dropped.
-QString keyOf(const QString& title) {
-    static const QRegularExpression kOther(QStringLiteral("[^a-z0-9]+"));
-    static const QRegularExpression kEnds(QStringLiteral("^[_0-9]+|_+$"));
-    QString key = title.normalized(QString::NormalizationForm_D).toLower();
-    key.remove(QRegularExpression(QStringLiteral("[\\x{0300}-\\x{036F}]"))); // ü becomes u
-    return key.replace(kOther, QStringLiteral("_")).remove(kEnds).left(kLongestKey);
-}
-
-QString freeKey(const QString& wanted, const std::set<QString>& taken) {
-    QString key = wanted;
-    for (int n = 2; taken.contains(key); ++n)
-        key = QStringLiteral("%1_%2").arg(wanted, QString::number(n));
-    return key;
-}
+/// As the templates have it; a researcher adds what only they know, such as how long recordings are kept.
+constexpr const char* kUsualConsent =
+    "Taking part is voluntary. I may stop at any time without giving a reason and without disadvantage. My "
+    "answers, movements and forces are recorded under a code; only a separate list kept by the head of the "
+    "study shows whose code it is. I may have this entry, my free-text answers and my questionnaires erased, "
+    "together with the recordings. I have read the instructions, was able to ask questions, and agree to "
+    "take part.";
 
 /// The text by which a template is found; also in English, the language of its source.
 QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, const QString& objective) {
@@ -66,13 +51,13 @@ QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, 
 
 } // namespace
 
-psychophysics::StudyDesign plainStudy() {
+psychophysics::StudyDesign plainStudy(psychophysics::Task task) {
     psychophysics::StudyDesign study;
-    study.id = "new_study";
+    study.id = "new_" + std::string(psychophysics::token(task));
     study.title["en"] = "New study";
     study.objective["en"] = kPlaceholderAim;
     study.ownInstructions = psychophysics::StudyText{{"en", "Explore all objects, then answer."}};
-    study.consent["en"] = "I take part of my own free will and may stop at any time.";
+    study.consent["en"] = kUsualConsent;
     psychophysics::Condition condition;
     condition.id = "stiffness";
     condition.title["en"] = "Stiffness";
@@ -82,7 +67,7 @@ psychophysics::StudyDesign plainStudy() {
         condition.stimulus.differences.push_back(study_words::differenceOf(
             0.01 * kSmallest_percent * std::pow(kLargest_percent / kSmallest_percent, part)));
     }
-    condition.procedures = {usualProcedure("rank3_quest_plus", condition)};
+    takeTask(condition, task);
     study.conditions = {condition};
     study.trial.probeAtLeast_N = psychophysics::kUsualProbe_N;
     renewInstructions(study);
@@ -203,18 +188,21 @@ void NewStudyDialog::loadTemplates() {
 
 void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templates) {
     m_templates = std::move(templates);
-    m_templates.push_back(plainStudy());
+    const std::size_t complete = m_templates.size();
+    for (int task = 0; task < psychophysics::kTasks; ++task)
+        m_templates.push_back(plainStudy(static_cast<psychophysics::Task>(task)));
     for (std::size_t i = 0; i < m_templates.size(); ++i)
-        m_list->layout()->addWidget(tile(i, i + 1 == m_templates.size()));
+        m_list->layout()->addWidget(tile(i, i >= complete));
     filter(); // the person may already have typed
 }
 
 /// A template's tile: its aim, the participant's task, and the publication.
 QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     const psychophysics::StudyDesign& design = m_templates[index];
-    const QString title =
-        plain ? tr("A simple study") : study_words::text(design.title, context().language());
-    const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.")
+    const psychophysics::Task task = design.conditions.front().task;
+    const QString title = plain ? tr("A simple study: %1").arg(study_words::task(task))
+                                : study_words::text(design.title, context().language());
+    const QString objective = plain ? tr("One condition, stiffness. %1").arg(study_words::taskInWords(task))
                                     : study_words::text(design.objective, context().language());
     QStringList meets;
     for (const auto& [name, words] : participantFacts(design, context().locale(), context().language())) {
@@ -256,7 +244,11 @@ const psychophysics::StudyDesign* NewStudyDialog::chosen() const {
 void NewStudyDialog::choose(int) {
     suggestTitle();
     renew();
-    filter(); // the previously chosen one may now be hidden
+    filter();                              // the previously chosen one may now be hidden
+    m_title->setFocus(Qt::TabFocusReason); // with the whole text selected, to be typed over
+    // Once the tiles that stay have their places.
+    QMetaObject::invokeMethod(
+        this, [this] { reveal(*m_title); }, Qt::QueuedConnection);
 }
 
 bool NewStudyDialog::isFound(int index) const {
@@ -300,9 +292,7 @@ bool NewStudyDialog::eventFilter(QObject* watched, QEvent* event) {
     if (tile && key == Qt::Key_Down) {
         tile->setFocus(Qt::TabFocusReason);
     } else if (tile) {
-        tile->click();
-        m_title->setFocus(Qt::TabFocusReason); // with the whole text selected
-        reveal(*m_title);
+        tile->click(); // moves on to the title
     }
     return true; // Enter in the filter never creates a study
 }
@@ -322,8 +312,8 @@ void NewStudyDialog::suggestKey() {
     if (m_ownKey || !chosen())
         return;
     const bool untouched = m_choice && !m_ownTitle;
-    const QString key = untouched ? QString::fromStdString(chosen()->id) : keyOf(m_title->text());
-    m_key->setText(key.isEmpty() ? QString() : freeKey(key, m_keys));
+    const QString key = untouched ? QString::fromStdString(chosen()->id) : shortNameOf(m_title->text());
+    m_key->setText(key.isEmpty() ? QString() : freeShortName(key, m_keys));
 }
 
 QString NewStudyDialog::titleFault() const {
@@ -339,7 +329,7 @@ QString NewStudyDialog::keyFault() const {
     const QString key = m_key->text();
     if (key.isEmpty())
         return tr("Give the study a key.");
-    if (!isKey(key))
+    if (!isShortName(key))
         return tr("Use lower-case letters, digits and _ only, a letter first.");
     return m_keys.contains(key) ? tr("Another study has this key. Choose another.") : QString();
 }

@@ -14,14 +14,14 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// The smallest complete study, for a start without a template.
-psychophysics::StudyDesign plainStudy();
+/// The smallest complete study with this task, for a start without a template.
+psychophysics::StudyDesign plainStudy(psychophysics::Task task = psychophysics::Task::rank3);
 /// The initial state of a copy: the whole design, but without ethics approval and pilots.
 psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design);
 
 /// Creates a draft from a template, or from another study's design, with its own title and key. Templates can
-/// be searched by words, like people; none is selected initially. Enter in the filter selects the first match
-/// and moves on to the title; Down moves into the list.
+/// be searched by words, like people; none is selected initially. A template that is selected leads to the
+/// title, to be typed over. Enter in the filter selects the first match; Down moves into the list.
 /// Thread: GUI.
 class NewStudyDialog final : public FormDialog {
     Q_OBJECT

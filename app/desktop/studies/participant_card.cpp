@@ -29,10 +29,10 @@ QString conditionLine(const Condition& condition, const QLocale& locale, const Q
     const QString reference = study_words::value(stimulus.reference, stimulus.attribute, locale);
     if (stimulus.attribute == psychophysics::Attribute::apex || stimulus.differences.empty())
         return CardWords::tr("%1: %2").arg(title, reference);
-    return CardWords::tr("%1: %2, differences of %3 to %4")
-        .arg(title, reference,
-             study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
-             study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale));
+    const QStringList ends = study_words::percents({study_words::ratioOf(stimulus.differences.front()),
+                                                    study_words::ratioOf(stimulus.differences.back())},
+                                                   locale);
+    return CardWords::tr("%1: %2, differences of %3 to %4").arg(title, reference, ends.front(), ends.back());
 }
 
 QString conditionsWords(const StudyDesign& design, const QLocale& locale, const QString& language) {

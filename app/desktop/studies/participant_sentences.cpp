@@ -53,7 +53,7 @@ const char* sentenceOf(const PartView& part) {
     if (part.apex())
         return QT_TRANSLATE_NOOP(
             "ParticipantSentences",
-            "In each trial you look for the highest point of an object by touch and mark it.");
+            "In each trial you search for the highest point of an object with the tip and mark it.");
     switch (part.task) {
     case Task::rank3:
         return QT_TRANSLATE_NOOP("ParticipantSentences",
@@ -61,7 +61,7 @@ const char* sentenceOf(const PartView& part) {
     case Task::rank3Ties:
         return QT_TRANSLATE_NOOP("ParticipantSentences",
                                  "In each trial you explore three objects and put them in order; you may "
-                                 "mark those that feel the same as equal.");
+                                 "mark those that seem the same as equal.");
     case Task::twoAfc:
     case Task::sameDifferent:
         return QT_TRANSLATE_NOOP("ParticipantSentences",
@@ -76,7 +76,7 @@ const char* sentenceOf(const PartView& part) {
     case Task::adjustment:
         return QT_TRANSLATE_NOOP(
             "ParticipantSentences",
-            "In each trial you change one object until it feels like the other, and confirm.");
+            "In each trial you change one object until it seems like the other, and confirm.");
     case Task::magnitude:
         return QT_TRANSLATE_NOOP("ParticipantSentences",
                                  "In each trial you explore one object and give it a number.");
@@ -238,9 +238,6 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
                                                  "It begins with %n practice trial(s), which do not count."),
                              practice));
     said << time(view, words) << feedback(view, words) << breaks(view, words);
-    if (view.maskingSound)
-        said << words(
-            QT_TRANSLATE_NOOP("ParticipantSentences", "During the trials you hear a steady noise."));
     return said + questions(view, words);
 }
 

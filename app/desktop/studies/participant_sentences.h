@@ -9,6 +9,7 @@ namespace chiron::desktop {
 
 /// The sentences of a study's instructions that follow from its settings: task, number of answers and trials,
 /// practice, time, feedback, breaks, questionnaires. They are generated from session::ParticipantView.
+/// Whether a noise is heard depends on the station: sittingSentences() says it on the participant's page.
 /// `language` is the language of the texts, independent of the program's.
 QStringList participantSentences(const psychophysics::StudyDesign& design, const QString& language);
 

@@ -215,10 +215,15 @@ void PreviewPage::showPower() {
     for (const PowerLabels& labels : m_powers) {
         psychophysics::PowerQuestion question = m_power;
         question.runSdLog10 = labels.runSdLog10;
-        const double ratio = psychophysics::detectableRatio(question, m_wantedPower);
-        labels.value->setText(std::isfinite(ratio)
-                                  ? QStringLiteral("× %1").arg(study_words::number(ratio, locale))
-                                  : tr("none up to × 10"));
+        const auto smallest = [this](const psychophysics::PowerQuestion& asked) {
+            return psychophysics::detectableRatio(asked, m_wantedPower);
+        };
+        const double ratio = smallest(question);
+        const double error = psychophysics::figureError(question, labels.runSdError, smallest);
+        const QString written = std::isfinite(error) ? study_words::withError(ratio, error, locale)
+                                                     : study_words::number(ratio, locale);
+        labels.value->setText(std::isfinite(ratio) ? QStringLiteral("× %1").arg(written)
+                                                   : tr("none up to × 10"));
         labels.name->setText(
             (m_power.paired
                  ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")
@@ -331,7 +336,7 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     if (m_effectSd) { // there are conditions to compare
         const auto [value, name] = fact({}, {});
         value->setObjectName(QStringLiteral("preview.detectable"));
-        m_powers.push_back({plan.sdLog10, value, name});
+        m_powers.push_back({plan.sdLog10, plan.sdError, value, name});
     }
     box.layout->addWidget(grid);
     box.layout->addWidget(
@@ -372,18 +377,27 @@ QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
     plot->setMinimumHeight(theme.px(260));
     plot->setTitle(tr("How the estimate converges with more trials"));
     plot->setXAxis({tr("Trials of a run"), {}, {}});
+    plot->setXWholeNumbers();
     plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
-    std::vector<double> trial, middle, low, high;
+    std::vector<double> trial, middle, low, high, errors;
+    std::vector<report::PlotPoint> points;
     for (const PreviewPoint& point : result.curve) {
         trial.push_back(point.trials);
         middle.push_back(kPercent * point.weber);
         low.push_back(kPercent * point.low);
         high.push_back(kPercent * point.high);
+        for (const auto& [value, error] : {std::pair{point.low, point.lowError},
+                                           {point.weber, point.weberError},
+                                           {point.high, point.highError}}) {
+            points.push_back({point.trials, kPercent * value});
+            errors.push_back(kPercent * error);
+        }
     }
     plot->addLine(tr("median of %n run(s)", nullptr, result.plan.runs), trial, middle,
                   report::PlotStyle::solidA);
     plot->addLine(tr("middle 80 %"), trial, low, report::PlotStyle::dashedB);
     plot->addLine({}, trial, high, report::PlotStyle::dashedB);
+    plot->addMeans(tr("± one standard error"), points, errors);
     plot->addReference(tr("true value"), kPercent * m_observer.weber);
     return plot;
 }

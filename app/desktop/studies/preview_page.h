@@ -55,6 +55,7 @@ private:
     double m_wantedPower = 0.8;
     struct PowerLabels {
         double runSdLog10;
+        double runSdError; ///< its Monte Carlo standard error
         QLabel* value;
         QLabel* name;
     };

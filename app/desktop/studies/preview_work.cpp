@@ -52,7 +52,8 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
             planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed);
         if (!std::isfinite(plan.biasLog10) || !std::isfinite(plan.sdLog10))
             continue;
-        result.curve.push_back({plan.meanTrials, plan.weber50, plan.weber10, plan.weber90});
+        result.curve.push_back({plan.meanTrials, plan.weber50, plan.weber10, plan.weber90, plan.weber50Error,
+                                plan.weber10Error, plan.weber90Error});
     }
     return result;
 }

@@ -11,12 +11,16 @@
 namespace chiron::desktop {
 
 /// The expected results of runs with this number of trials, as Weber fractions: half of the runs estimate
-/// less than `weber`, a tenth less than `low` and a tenth more than `high`.
+/// less than `weber`, a tenth less than `low` and a tenth more than `high`. Each has its Monte Carlo standard
+/// error.
 struct PreviewPoint {
     double trials = 0.0;
     double weber = 0.0;
     double low = 0.0;
     double high = 0.0;
+    double weberError = 0.0;
+    double lowError = 0.0;
+    double highError = 0.0;
 };
 
 /// The results of simulated observers for one condition.

@@ -26,10 +26,10 @@ using session_report::procedureText;
 namespace {
 
 constexpr double kPercent = 100.0;
+constexpr double kMost_percent = 10000.0; // of a difference
 // √2 · 0.6745: a difference of this many σ is distinguished in three of four pairs.
 constexpr double kJndOfSigma = 0.954;
 constexpr double kUneven = 1e-6;
-constexpr int kMostWhole = 100000; // largest number that a field accepts
 
 bool isEven(const std::vector<double>& values) {
     const double step = values.size() > 1 ? values[1] - values[0] : 0.0;
@@ -116,9 +116,11 @@ void ProcedureForm::kindField() {
 void ProcedureForm::apexField() {
     for (const Parameter& row : kindFor(procedure()).rows())
         if (row.key == "repeats" && kindFor(procedure()).trialsAreFixed()) {
-            whole(tr("Trials"), nameOf(row.key), std::get<int>(row.get(procedure())), 0, kMostWhole,
+            whole(tr("Trials"), nameOf(row.key), std::get<int>(row.get(procedure())),
+                  static_cast<int>(row.minimum), static_cast<int>(row.maximum),
                   [this, &row](int now) { put(row, now); });
-            explain(nameOf(row.key), tr("How often a participant looks for the apex."), {1, 10000, 10});
+            explain(nameOf(row.key), tr("How often a participant looks for the apex."),
+                    {row.minimum, row.maximum, 10});
         }
 }
 
@@ -195,10 +197,10 @@ NumberRange ProcedureForm::rangeOf(const Parameter& row) const {
     NumberRange range{row.minimum, row.maximum, 2, {}, 0.1};
     switch (row.quantity) {
     case Quantity::share:
-        range = {0, 100, 1, QStringLiteral("%"), 1};
+        range = {kPercent * row.minimum, kPercent * row.maximum, 1, QStringLiteral("%"), 1};
         break;
     case Quantity::level:
-        range = {-99.0, 10000, 2, QStringLiteral("%"), 1};
+        range = {unitsOf(row).lowestPercent(), kMost_percent, 2, QStringLiteral("%"), 1};
         break;
     case Quantity::spread:
     case Quantity::factor:
@@ -221,14 +223,15 @@ NumberRange ProcedureForm::rangeOf(const Parameter& row) const {
 void ProcedureForm::explainRow(const Parameter& row) {
     const bool factors = unitsOf(row).spreadIsFactor() && !row.meaningOfFactor.empty();
     const QString meaning = procedureText(factors ? row.meaningOfFactor : row.meaning);
-    if (!row.sensible) {
+    if (!row.usual) {
         explain(nameOf(row.key), meaning);
         return;
     }
-    const double usual = row.sensible->usual
-                             ? *row.sensible->usual
+    const double usual = row.usual->value
+                             ? *row.usual->value
                              : shownAs(row).to(numberIn(row.get(kindFor(procedure()).usual(condition()))));
-    explain(nameOf(row.key), meaning, {row.sensible->lowest, row.sensible->highest, usual});
+    const NumberRange range = rangeOf(row);
+    explain(nameOf(row.key), meaning, {range.minimum, range.maximum, usual});
 }
 
 void ProcedureForm::numberField(const Parameter& row, double value) {
@@ -244,7 +247,7 @@ void ProcedureForm::wholeField(const Parameter& row, int value) {
     for (const Parameter& other : kindFor(procedure()).rows())
         if (!other.noMoreThan.empty() && other.noMoreThan == row.key && other.object == row.object)
             limited.emplace_back(&other, std::get<int>(other.get(procedure())));
-    whole(procedureText(row.title), nameOf(row.key), value, 0, kMostWhole, [this, &row, limited](int now) {
+    const auto taken = [this, &row, limited](int now) {
         // A limit of 0 means no limit.
         const auto within = [now](int before) { return now > 0 ? std::min(before, now) : before; };
         put(row, nameOf(row.key), [&](ProcedureSpec& spec) {
@@ -257,7 +260,9 @@ void ProcedureForm::wholeField(const Parameter& row, int value) {
                 const QSignalBlocker quiet(field);
                 field->setValue(within(before));
             }
-    });
+    };
+    whole(procedureText(row.title), nameOf(row.key), value, static_cast<int>(row.minimum),
+          static_cast<int>(row.maximum), taken);
     explainRow(row);
 }
 
@@ -287,7 +292,7 @@ void ProcedureForm::listField(const Parameter& row, const std::vector<double>& v
         levelsField(row, values);
         break;
     case Quantity::share:
-        sharesField(title, nameOf(row.key), values, meaning, taken);
+        sharesField(title, nameOf(row.key), values, rangeOf(row), meaning, taken);
         break;
     case Quantity::spread:
     case Quantity::factor:
@@ -297,7 +302,7 @@ void ProcedureForm::listField(const Parameter& row, const std::vector<double>& v
         gridFields(title, nameOf(row.key), values, rangeOf(row), shownAs(row), meaning, taken);
         break;
     case Quantity::plain:
-        list(title, nameOf(row.key), values, taken);
+        list(title, nameOf(row.key), values, taken, rangeOf(row));
         explain(nameOf(row.key), meaning);
         break;
     }
@@ -308,12 +313,10 @@ void ProcedureForm::levelsField(const Parameter& row, const std::vector<double>&
     for (const double x : levels)
         percents.push_back(m_units.percentOf(x));
     const StimulusDesign stimulus = condition().stimulus;
-    auto* table =
-        new LevelsTable(gridTheme(), gridLocale(), isReadOnly(), nameOf(row.key), percents,
-                        [stimulus, locale = gridLocale()](double percent) {
-                            return study_words::value(stimulus.reference * (1.0 + percent / kPercent),
-                                                      stimulus.attribute, locale);
-                        });
+    auto* table = new LevelsTable(gridTheme(), gridLocale(), isReadOnly(), nameOf(row.key), percents,
+                                  [stimulus, locale = gridLocale()](const std::vector<double>& of) {
+                                      return objectsOf(stimulus, of, locale);
+                                  });
     control(procedureText(row.title), nameOf(row.key), table);
     explain(nameOf(row.key), procedureText(row.meaning));
     connect(table, &LevelsTable::unread, this,
@@ -333,12 +336,14 @@ void ProcedureForm::stepsField(const Parameter& row, const std::vector<double>& 
     std::vector<double> shownSteps;
     for (const double step : steps)
         shownSteps.push_back(shown.to(step));
-    list(procedureText(row.title), nameOf(row.key), shownSteps,
-         [this, &row, from = shown.from](std::vector<double> now) {
-             for (double& step : now)
-                 step = from(step);
-             put(row, now);
-         });
+    list(
+        procedureText(row.title), nameOf(row.key), shownSteps,
+        [this, &row, from = shown.from](std::vector<double> now) {
+            for (double& step : now)
+                step = from(step);
+            put(row, now);
+        },
+        asStored ? NumberRange{row.minimum, row.maximum} : rangeOf(row));
     const QString unit = asStored                        ? tr("Logarithmic steps of an imported design.")
                          : unitsOf(row).spreadIsFactor() ? tr("Factors of the difference, usually 1.26.")
                                                          : tr("In per cent of the reference.");
@@ -359,19 +364,21 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
     };
     const LevelUnits units = m_units;
     if (grid.name == "threshold" || grid.name == "mean")
-        gridFields(tr("Threshold"), key, grid.values, {-99.0, 10000, 2, QStringLiteral("%"), 1},
+        gridFields(tr("Threshold"), key, grid.values,
+                   {units.lowestPercent(), kMost_percent, 2, QStringLiteral("%"), 1},
                    {[units](double x) { return units.percentOf(x); },
                     [units](double percent) { return units.xOf(percent); }},
                    tr("Thresholds between these are considered possible."), taken);
     else if (grid.name == "sd")
         gridFields(tr("Spread"), key, grid.values,
-                   {0.0, 10000, 2, units.spreadIsFactor() ? QStringLiteral("×") : QStringLiteral("%"), 1},
+                   {units.spreadIsFactor() ? 1.0 : 0.0, kMost_percent, 2,
+                    units.spreadIsFactor() ? QStringLiteral("×") : QStringLiteral("%"), 1},
                    {[units](double x) { return units.spreadOf(x); },
                     [units](double percent) { return units.distanceOf(percent); }},
                    tr("Spreads of the answers between these are considered possible."), taken);
     else if (grid.name == "lapse_rate" || grid.name == "lower_asymptote")
         sharesField(
-            study_words::parameter(grid.name), key, grid.values,
+            study_words::parameter(grid.name), key, grid.values, {0, kPercent, 1, QStringLiteral("%")},
             grid.name == "lapse_rate"
                 ? tr("Shares of wrong answers although the difference is felt that are considered possible.")
                 : tr("Share of answers that are right by guessing: 50 % of two alternatives."),
@@ -385,16 +392,19 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
 }
 
 void ProcedureForm::sharesField(const QString& label, const QString& key, const std::vector<double>& shares,
-                                const QString& meaning,
+                                const NumberRange& range, const QString& meaning,
                                 const std::function<void(std::vector<double>)>& taken) {
     std::vector<double> percents;
     for (const double share : shares)
         percents.push_back(kPercent * share);
-    list(tr("%1 (%)").arg(label), key, percents, [taken](std::vector<double> now) {
-        for (double& percent : now)
-            percent /= kPercent;
-        taken(std::move(now));
-    });
+    list(
+        tr("%1 (%)").arg(label), key, percents,
+        [taken](std::vector<double> now) {
+            for (double& percent : now)
+                percent /= kPercent;
+            taken(std::move(now));
+        },
+        range);
     explain(key, meaning);
 }
 
@@ -420,11 +430,11 @@ void ProcedureForm::gridFields(const QString& what, const QString& key, const st
                ends->high = from(now);
                put();
            });
-    explain(
-        key + QStringLiteral(".high"),
-        isEven(values)
-            ? tr("The largest that is considered possible.")
-            : tr("The largest. An imported design spaced these values unevenly; a change makes them even."));
+    explain(key + QStringLiteral(".high"),
+            isEven(values)
+                ? tr("The largest that is considered possible.")
+                : tr("The largest. An imported design spaced these values irregularly; a change spaces them "
+                     "regularly."));
     whole(tr("%1: steps").arg(what), key + QStringLiteral(".count"), ends->count, 1, 400, [=](int now) {
         ends->count = now;
         put();

@@ -44,8 +44,9 @@ private:
     void parameterField(const psychophysics::Parameter& row,
                         const std::vector<psychophysics::ParameterGrid>& grids, std::size_t index);
     void sharesField(const QString& label, const QString& key, const std::vector<double>& shares,
-                     const QString& meaning, const std::function<void(std::vector<double>)>& taken);
-    /// Start, end and number of points of an evenly spaced grid.
+                     const NumberRange& range, const QString& meaning,
+                     const std::function<void(std::vector<double>)>& taken);
+    /// Start, end and number of points of a grid that is evenly spaced on the procedure's own scale.
     void gridFields(const QString& what, const QString& key, const std::vector<double>& values,
                     const NumberRange& range, const Shown& shown, const QString& meaning,
                     const std::function<void(std::vector<double>)>& taken);

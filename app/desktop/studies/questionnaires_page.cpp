@@ -144,6 +144,20 @@ QPushButton* QuestionnairesPage::action(const QString& text, const char* icon, c
     return button;
 }
 
+/// `told` is asked before the part is removed.
+QPushButton* QuestionnairesPage::removal(const QString& text, const QString& name,
+                                         const std::function<QString()>& told,
+                                         const std::function<void(StudyDesign&)>& edit) {
+    auto* button = kit::button(m_page.app.theme(), text, "quiet", QStringLiteral("edit-delete"));
+    button->setObjectName(name);
+    connect(button, &QPushButton::clicked, this, [this, text, told, edit] {
+        const QString removed = told();
+        m_page.draft.change(text, {}, edit, true);
+        tellRemoved(m_page, removed);
+    });
+    return button;
+}
+
 QWidget* QuestionnairesPage::questionnaireBox(std::size_t index) {
     const Theme& theme = m_page.app.theme();
     const Questionnaire& shown = m_page.draft.design().questionnaires[index];
@@ -183,11 +197,16 @@ QWidget* QuestionnairesPage::questionnaireBox(std::size_t index) {
                                   std::vector<QuestionnaireItem>& items = design.questionnaires[index].items;
                                   items.push_back(usualItem(items.size() + 1));
                               }));
-        row->addWidget(action(tr("Remove the questionnaire"), "edit-delete",
-                              prefix + QStringLiteral("remove"), [index](StudyDesign& design) {
-                                  design.questionnaires.erase(design.questionnaires.begin() +
-                                                              static_cast<std::ptrdiff_t>(index));
-                              }));
+        const auto told = [this, index] {
+            const Questionnaire& removed = m_page.draft.design().questionnaires[index];
+            return tr("The questionnaire “%1” was removed.")
+                .arg(study_words::text(removed.title, m_page.app.language()));
+        };
+        row->addWidget(removal(tr("Remove the questionnaire"), prefix + QStringLiteral("remove"), told,
+                               [index](StudyDesign& design) {
+                                   design.questionnaires.erase(design.questionnaires.begin() +
+                                                               static_cast<std::ptrdiff_t>(index));
+                               }));
         box.layout->addWidget(bar);
     }
     return box.frame;
@@ -261,12 +280,13 @@ QWidget* QuestionnairesPage::itemPart(std::size_t index, std::size_t item) {
                          [now](QuestionnaireItem& changed) { changed.required = now; });
                 });
     if (!m_page.readOnly) {
-        QPushButton* remove = action(tr("Remove question %1").arg(item + 1), "edit-delete",
-                                     prefix + QStringLiteral("remove"), [index, item](StudyDesign& design) {
-                                         std::vector<QuestionnaireItem>& items =
-                                             design.questionnaires[index].items;
-                                         items.erase(items.begin() + static_cast<std::ptrdiff_t>(item));
-                                     });
+        QPushButton* remove = removal(
+            tr("Remove question %1").arg(item + 1), prefix + QStringLiteral("remove"),
+            [item] { return tr("Question %1 was removed.").arg(item + 1); },
+            [index, item](StudyDesign& design) {
+                std::vector<QuestionnaireItem>& items = design.questionnaires[index].items;
+                items.erase(items.begin() + static_cast<std::ptrdiff_t>(item));
+            });
         auto* row = new QWidget; // left-aligned, where the fields begin
         auto* line = new QHBoxLayout(row);
         line->setContentsMargins(0, 0, 0, 0);

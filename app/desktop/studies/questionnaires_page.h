@@ -26,6 +26,9 @@ private:
     void addInstrument(const catalogue::Instrument& instrument);
     QPushButton* action(const QString& text, const char* icon, const QString& name,
                         const std::function<void(psychophysics::StudyDesign&)>& edit);
+    /// The same for removing a part, which is told with Undo.
+    QPushButton* removal(const QString& text, const QString& name, const std::function<QString()>& told,
+                         const std::function<void(psychophysics::StudyDesign&)>& edit);
 
     DesignPage m_page;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/rules_page.h"
 
+#include "catalogue/study_reader.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/participant_sentences.h"
@@ -35,14 +36,14 @@ template <class Part> struct PartFields {
                     [self = *this, key, member](double now) { self.put(key, member, now); });
         grid.explain(name(key), meaning, {range.minimum, range.maximum, usual});
     }
-    /// A share, edited in per cent.
-    void percent(const QString& label, const char* key, double Part::*member, double highest,
+    /// A share, edited in per cent, as is its range.
+    void percent(const QString& label, const char* key, double Part::*member, double lowest, double highest,
                  const QString& meaning, double usual) const {
         constexpr double kPercent = 100.0;
         grid.number(label, name(key), kPercent * (draft.design().*part.*member),
-                    {0, highest, 2, QStringLiteral("%"), 1},
+                    {lowest, highest, 2, QStringLiteral("%"), 1},
                     [self = *this, key, member](double now) { self.put(key, member, now / kPercent); });
-        grid.explain(name(key), meaning, {0, highest, usual});
+        grid.explain(name(key), meaning, {lowest, highest, usual});
     }
     void whole(const QString& label, const char* key, int Part::*member, int minimum, int maximum,
                const QString& meaning, int usual) const {
@@ -108,7 +109,8 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
             tr("Feedback"), "feedback", &TrialRules::feedback,
             tr("Participants are told after each trial how well they did. It changes what is measured."));
     fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound,
-                 tr("A steady noise hides the sounds of the device."));
+                 tr("A steady noise hides the sounds of the device. Participants are told of it where it is "
+                    "heard."));
     fields.check(tr("Show the objects"), "visible_objects", &TrialRules::visibleObjects,
                  tr("Objects are drawn, all alike, so that only touch tells them apart."));
     if (compares)
@@ -202,16 +204,21 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
     if (draft.design().conditions.size() > 1)
         blinding(tr("Blind experimenters"), "design.blind_experimenter", &StudyDesign::blindExperimenter,
                  tr("Until the study is unblinded, conditions go by sealed codes."));
-    grid->text(tr("Seed"), QStringLiteral("design.seed"), QString::number(draft.design().seed),
-               [grid, &draft](const QString& now) {
-                   bool good = false;
-                   const qulonglong seed = now.trimmed().toULongLong(&good);
-                   grid->setUnread(QStringLiteral("design.seed"),
-                                   good ? QString() : RulesPage::tr("“%1” is not a whole number.").arg(now));
-                   if (good)
-                       draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"),
-                                    [seed](StudyDesign& design) { design.seed = seed; });
-               });
+    grid->text(
+        tr("Seed"), QStringLiteral("design.seed"), QString::number(draft.design().seed),
+        [grid, &draft, locale = page.app.locale()](const QString& now) {
+            bool good = false;
+            const qulonglong seed = now.trimmed().toULongLong(&good);
+            good = good && seed <= catalogue::kLargestSeed;
+            grid->setUnread(
+                QStringLiteral("design.seed"),
+                good ? QString()
+                     : RulesPage::tr("“%1” was not taken: enter a whole number from 0 to %2.")
+                           .arg(now, locale.toString(static_cast<qulonglong>(catalogue::kLargestSeed))));
+            if (good)
+                draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"),
+                             [seed](StudyDesign& design) { design.seed = seed; });
+        });
     grid->explain(QStringLiteral("design.seed"), tr("A whole number from which orders and chance are drawn: "
                                                     "the same number gives the same study again."));
     box.layout->addWidget(grid);
@@ -230,11 +237,11 @@ QWidget* RulesPage::fidelityBox(const DesignPage& page) {
     fields.number(tr("Force error"), "force_error", &FidelityLimits::forceErrorRms_N,
                   {0.001, 100, 3, QStringLiteral("N"), 0.01},
                   tr("Measured against commanded force, root mean square."), 0.15);
-    fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 1000,
-                   tr("How far what was rendered may be from what was asked for."), 15);
-    fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 100,
+    fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 0.1,
+                   1000, tr("How far what was rendered may be from what was asked for."), 15);
+    fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 0, 100,
                    tr("Share of the force's updates that may come too late."), 1);
-    fields.percent(tr("Force at its limit"), "saturated", &FidelityLimits::saturated, 100,
+    fields.percent(tr("Force at its limit"), "saturated", &FidelityLimits::saturated, 0, 100,
                    tr("Share of the contact during which the device may give all it has."), 5);
     fields.number(tr("Largest force"), "peak_force", &FidelityLimits::peakForce_N,
                   {0.01, 100, 2, QStringLiteral("N"), 0.1}, tr("How hard a participant may press."), 4);

@@ -10,6 +10,6 @@ set(study_screen_sources
     study_data/apex_page.cpp study_data/comparison_page.cpp study_data/group_page.cpp study_data/person_page.cpp study_data/quality_box.cpp study_data/questionnaire_summary.cpp study_data/replaced_folder.cpp study_data/study_data_actions.cpp
     study_data/study_data_screen.cpp study_data/study_facts.cpp study_data/trials_page.cpp study_data/unblind_dialog.cpp
     questionnaire/questionnaire_form.cpp questionnaire/questionnaire_screen.cpp
-    study_run/apex_stage.cpp study_run/asked_sitting.cpp study_run/break_panel.cpp study_run/experimenter_gate.cpp study_run/experimenter_panel.cpp study_run/participant_window.cpp study_run/study_controls.cpp study_run/trials_screen_desk.cpp study_run/places_view.cpp
+    study_run/apex_stage.cpp study_run/asked_sitting.cpp study_run/break_panel.cpp study_run/comparison_face.cpp study_run/experimenter_gate.cpp study_run/experimenter_panel.cpp study_run/participant_page.cpp study_run/participant_window.cpp study_run/sitting_sentences.cpp study_run/study_controls.cpp study_run/trials_screen_desk.cpp study_run/places_view.cpp
     study_run/trials_screen.cpp study_run/trials_screen_build.cpp study_run/trials_screen_show.cpp
     study_data/ranking_box.cpp study_run/run_screen_left.cpp)

@@ -44,6 +44,7 @@ StudyDraft::StudyDraft(QObject* parent) : QObject(parent) {
 
 void StudyDraft::load(psychophysics::StudyDesign design) {
     m_history.clear();
+    m_keptNames.clear();
     put(design, true);
 }
 
@@ -57,8 +58,13 @@ void StudyDraft::change(const QString& words, const QString& key,
     m_fromForm = false;
 }
 
+void StudyDraft::keepName(const std::string& id) {
+    m_keptNames.insert(id);
+}
+
 void StudyDraft::put(const psychophysics::StudyDesign& design, bool structure) {
     m_design = design;
+    ++m_version;
     emit changed();
     if (structure)
         emit structureChanged();

@@ -7,6 +7,8 @@
 #include <QString>
 #include <QUndoStack>
 #include <functional>
+#include <set>
+#include <string>
 
 namespace chiron::desktop {
 
@@ -27,6 +29,13 @@ public:
                 const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure = false);
 
     QUndoStack& history() noexcept { return m_history; }
+    /// Counts every change of design(), also by Undo and Redo: a later step can be told from an earlier one.
+    int version() const noexcept { return m_version; }
+
+    /// Short names of conditions that somebody typed while this design is open. They no longer follow a
+    /// title.
+    void keepName(const std::string& id);
+    bool isKeptName(const std::string& id) const { return m_keptNames.contains(id); }
 
 signals:
     void changed();          ///< design() has changed
@@ -38,6 +47,8 @@ private:
 
     psychophysics::StudyDesign m_design;
     QUndoStack m_history;
+    std::set<std::string> m_keptNames;
+    int m_version = 0;
     bool m_fromForm = false; ///< the form already shows the change
 };
 

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop::study_words {
@@ -18,6 +19,20 @@ struct Words {
 
 QString dash() {
     return QStringLiteral("–");
+}
+
+/// The digits with which numbers that stand beside each other are written.
+int digitsOfNeighbours(const std::vector<double>& numbers) {
+    return digitsThatDiffer(numbers, kUsualDigits,
+                            [](double one, int digits) { return number(one, QLocale::c(), digits); });
+}
+
+QString inUnit(const QString& digits, const Unit& unit) {
+    return unit.text.isEmpty() ? digits : QStringLiteral("%1 %2").arg(digits, unit.text);
+}
+
+QString inPercent(const QString& digits) {
+    return QStringLiteral("%1 %").arg(digits);
 }
 
 } // namespace
@@ -53,6 +68,10 @@ QString number(double value, const QLocale& locale, int digits) {
     return locale.toString(value, 'f', std::max(0, digits - whole));
 }
 
+QString withError(double value, double error, const QLocale& locale) {
+    return QStringLiteral("%1 ± %2").arg(number(value, locale), number(error, locale, 2));
+}
+
 QString plainNumber(double value, const QLocale& locale) {
     constexpr int kDigits = 6;
     return std::isfinite(value) ? locale.toString(value, 'g', kDigits) : dash();
@@ -60,24 +79,66 @@ QString plainNumber(double value, const QLocale& locale) {
 
 QString value(double si, Attribute attribute, const QLocale& locale) {
     const Unit unit = study_words::unitOf(attribute);
-    const QString digits = number(si * unit.factor, locale);
-    return unit.text.isEmpty() ? digits : QStringLiteral("%1 %2").arg(digits, unit.text);
+    return inUnit(number(si * unit.factor, locale), unit);
+}
+
+QStringList values(const std::vector<double>& si, Attribute attribute, const QLocale& locale) {
+    const Unit unit = study_words::unitOf(attribute);
+    std::vector<double> shown;
+    for (const double one : si)
+        shown.push_back(one * unit.factor);
+    const int digits = digitsOfNeighbours(shown);
+    QStringList words;
+    for (const double one : shown)
+        words << inUnit(number(one, locale, digits), unit);
+    return words;
+}
+
+int digitsThatDiffer(const std::vector<double>& numbers, int fewest,
+                     const std::function<QString(double, int)>& written) {
+    constexpr int kMost = 9;
+    constexpr double kSame = 1e-9; // two ways to compute one number differ by less
+    const auto somethingReadsAlike = [&](int digits) {
+        for (std::size_t i = 1; i < numbers.size(); ++i) {
+            const double a = numbers[i - 1];
+            const double b = numbers[i];
+            if (std::abs(a - b) > kSame * std::max(std::abs(a), std::abs(b)) &&
+                written(a, digits) == written(b, digits))
+                return true;
+        }
+        return false;
+    };
+    int digits = fewest;
+    while (digits < kMost && somethingReadsAlike(digits))
+        ++digits;
+    return digits;
 }
 
 QString percent(double ratio, const QLocale& locale) {
-    return std::isfinite(ratio) ? QStringLiteral("%1 %").arg(number(100.0 * ratio, locale)) : dash();
+    return std::isfinite(ratio) ? inPercent(number(100.0 * ratio, locale)) : dash();
+}
+
+QStringList percents(const std::vector<double>& ratios, const QLocale& locale) {
+    std::vector<double> shown;
+    for (const double ratio : ratios)
+        shown.push_back(100.0 * ratio);
+    const int digits = digitsOfNeighbours(shown);
+    QStringList words;
+    for (const double one : shown)
+        words << (std::isfinite(one) ? inPercent(number(one, locale, digits)) : dash());
+    return words;
 }
 
 QString interval(double low, double high, const QLocale& locale) {
-    return std::isfinite(low) && std::isfinite(high)
-               ? QStringLiteral("%1 … %2").arg(number(low, locale), number(high, locale))
-               : QString();
+    if (!std::isfinite(low) || !std::isfinite(high))
+        return {};
+    const int digits = digitsOfNeighbours({low, high});
+    return QStringLiteral("%1 … %2").arg(number(low, locale, digits), number(high, locale, digits));
 }
 
 QString intervalPercent(double low, double high, const QLocale& locale) {
-    if (!std::isfinite(low) || !std::isfinite(high))
-        return {};
-    return QStringLiteral("%1 … %2 %").arg(number(100.0 * low, locale), number(100.0 * high, locale));
+    const QString shown = interval(100.0 * low, 100.0 * high, locale);
+    return shown.isEmpty() ? shown : inPercent(shown);
 }
 
 double ratioOf(double difference) {

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <QStringList>
 
 namespace chiron::desktop {
 
@@ -17,6 +18,24 @@ struct StudyTitles {
 
 constexpr qsizetype kLongestCopied = 200; // the repository accepts 500 bytes, and a letter may take two
 
+QStringList wordsOfName(const QString& name) {
+    return name.split(QLatin1Char('_'), Qt::SkipEmptyParts);
+}
+
+/// Finds a word among the words of a title, from one of them on, and returns the place after it; -1 if it is
+/// not there. It may join several of them: "20mm" stands in "20 mm".
+qsizetype endOfWord(const QStringList& words, qsizetype from, const QString& word) {
+    for (qsizetype first = from; first < words.size(); ++first) {
+        QString joined;
+        for (qsizetype last = first; last < words.size() && joined.size() < word.size(); ++last) {
+            joined += words[last];
+            if (joined == word)
+                return last + 1;
+        }
+    }
+    return -1;
+}
+
 } // namespace
 
 QString titleForComparison(const QString& title) {
@@ -28,6 +47,43 @@ QString freeTitle(const QString& title, const std::set<QString>& taken) {
     for (int n = 2; taken.contains(titleForComparison(free)); ++n)
         free = QStringLiteral("%1 %2").arg(title, QString::number(n));
     return free;
+}
+
+QString shortNameOf(const QString& title) {
+    constexpr qsizetype kLongest = 40;
+    static const QRegularExpression kAccents(QStringLiteral("[\\x{0300}-\\x{036F}]"));
+    static const QRegularExpression kOther(QStringLiteral("[^a-z0-9]+"));
+    static const QRegularExpression kEnds(QStringLiteral("^[_0-9]+|_+$"));
+    QString name = title.normalized(QString::NormalizationForm_D).toLower();
+    name.remove(kAccents); // ü becomes u
+    return name.replace(kOther, QStringLiteral("_")).remove(kEnds).left(kLongest);
+}
+
+QString freeShortName(const QString& wanted, const std::set<QString>& taken) {
+    QString name = wanted;
+    for (int n = 2; taken.contains(name); ++n)
+        name = QStringLiteral("%1_%2").arg(wanted, QString::number(n));
+    return name;
+}
+
+bool isShortName(const QString& name) {
+    static const QRegularExpression kName(QStringLiteral("^[a-z][a-z0-9_]{0,62}$"));
+    return kName.match(name).hasMatch();
+}
+
+bool isMadeOf(const QString& shortName, const QString& title) {
+    static const QRegularExpression kNumberOfCopy(QStringLiteral("_\\d{1,2}$"));
+    const QStringList words = wordsOfName(shortNameOf(title));
+    const auto isMade = [&words](const QString& name) {
+        qsizetype from = 0;
+        for (const QString& word : wordsOfName(name)) {
+            from = endOfWord(words, from, word);
+            if (from < 0)
+                return false;
+        }
+        return true;
+    };
+    return isMade(shortName) || isMade(QString(shortName).remove(kNumberOfCopy));
 }
 
 QString copyTitle(const QString& original, const std::set<QString>& taken) {

@@ -82,9 +82,9 @@ QString task(Task task) {
 QString taskInWords(Task task) {
     switch (task) {
     case Task::rank3:
-        return Words::tr("Three objects that differ in equal steps are put in order.");
+        return Words::tr("Three objects that differ by equal ratios are put in order.");
     case Task::rank3Ties:
-        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the "
+        return Words::tr("Three objects that differ by equal ratios are put in order; those that feel the "
                          "same may be marked as equal.");
     case Task::twoAfc:
         return Words::tr("Which of two objects has more of the attribute?");
@@ -136,7 +136,7 @@ QString question(Task task, Attribute attribute) {
         return Words::tr("Put the three in order: each one %1 than the one before.").arg(word);
     case Task::rank3Ties:
         return Words::tr("Put the three in order: each one %1 than the one before. You may mark those that "
-                         "feel the same as equal.")
+                         "seem the same as equal.")
             .arg(word);
     case Task::twoAfc:
         return Words::tr("Which one is %1?").arg(word);
@@ -149,9 +149,9 @@ QString question(Task task, Attribute attribute) {
     case Task::yesNo:
         return Words::tr("Is it %1 than the reference?").arg(word);
     case Task::adjustment:
-        return Words::tr("Change the right one until both feel the same.");
+        return Words::tr("Change the right one until both seem the same.");
     case Task::magnitude:
-        return Words::tr("Give a number to what you feel. Any positive number is allowed.");
+        return Words::tr("Give a number to what you perceive. Any positive number is allowed.");
     }
     return {};
 }

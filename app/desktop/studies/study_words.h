@@ -6,8 +6,11 @@
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace chiron::desktop {
 
@@ -43,14 +46,26 @@ struct Unit {
     QString text;
 };
 Unit unitOf(psychophysics::Attribute attribute);
+inline constexpr int kUsualDigits = 3; ///< significant ones
 /// A value in SI with its unit, to three significant digits.
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
+/// Values that stand beside each other, to as many digits as make neighbours that differ read differently,
+/// and at least to three.
+QStringList values(const std::vector<double>& si, psychophysics::Attribute attribute, const QLocale& locale);
 /// A number with `digits` significant digits; a dash if it is not a number.
-QString number(double value, const QLocale& locale, int digits = 3);
+QString number(double value, const QLocale& locale, int digits = kUsualDigits);
+/// The fewest digits, from `fewest` on, with which neighbours that differ are written differently. `written`
+/// writes a number with so many digits.
+int digitsThatDiffer(const std::vector<double>& numbers, int fewest,
+                     const std::function<QString(double, int)>& written);
+/// "0.81 ± 0.02": a number and the error of it, to two digits.
+QString withError(double value, double error, const QLocale& locale);
 QString plainNumber(double value, const QLocale& locale); ///< as people write it: 4, 3.5
 /// A ratio in per cent ("12.5 %"); a dash if it is not a number.
 QString percent(double ratio, const QLocale& locale);
-/// "0.081 … 0.12" from two numbers; empty if one is missing.
+/// Ratios that stand beside each other, with digits like values().
+QStringList percents(const std::vector<double>& ratios, const QLocale& locale);
+/// "0.081 … 0.12" from two numbers, with digits like values(); empty if one is missing.
 QString interval(double low, double high, const QLocale& locale);
 QString intervalPercent(double low, double high, const QLocale& locale);
 /// Converts D (log10 of a ratio) into a relative difference of the value: 10^D − 1.

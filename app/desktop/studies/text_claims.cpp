@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/text_claims.h"
 
+#include "catalogue/language_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/languages.h"
 #include "desktop/studies/participant_sentences.h"
@@ -30,20 +31,50 @@ struct TextClaims {
     Q_DECLARE_TR_FUNCTIONS(TextClaims)
 };
 
-constexpr double kSameShare = 0.006; // tolerates 0.0803 for 0.08 s
+using Claims = catalogue::LanguageWords::Claims;
 
-/// A statement in a text, and the setting that it requires. The words of all three languages stand together,
-/// because none of them has another meaning in another language.
-struct Expected {
-    const char* words;
-    std::function<bool(const StudyDesign&)> holds;
-    QString setting;
-};
+constexpr double kSameShare = 0.006; // tolerates 0.0803 for 0.08 s
 
 QRegularExpression pattern(const QString& words) {
     return QRegularExpression(words, QRegularExpression::CaseInsensitiveOption |
                                          QRegularExpression::UseUnicodePropertiesOption);
 }
+
+/// One of these words, as a part of a pattern: "*" stands for any ending.
+QString oneOf(const QStringList& words) {
+    QStringList patterns;
+    for (const QString& each : words)
+        patterns << QRegularExpression::escape(each).replace(QLatin1String("\\*"), QLatin1String("\\w*"));
+    return QStringLiteral("(?:") + patterns.join(QLatin1Char('|')) + QLatin1Char(')');
+}
+
+/// Those of all languages together: none of them has another meaning in another language.
+QString inAnyLanguage(QStringList Claims::*words) {
+    QStringList all;
+    for (const catalogue::LanguageWords& each : catalogue::languageWords())
+        all << each.claims.*words;
+    return oneOf(all);
+}
+
+/// The words for numbers in all languages, in small letters.
+const std::map<QString, int>& numberWords() {
+    static const std::map<QString, int> numbers = [] {
+        std::map<QString, int> read;
+        for (const catalogue::LanguageWords& each : catalogue::languageWords())
+            for (const auto& [number, words] : each.claims.numbers)
+                for (const QString& word : words)
+                    read.emplace(word.toLower(), number);
+        return read;
+    }();
+    return numbers;
+}
+
+/// A statement in a text, and the setting that it requires.
+struct Expected {
+    QRegularExpression said;
+    std::function<bool(const StudyDesign&)> holds;
+    QString setting;
+};
 
 double numberIn(const QString& digits) {
     return QString(digits).replace(QLatin1Char(','), QLatin1Char('.')).toDouble();
@@ -108,33 +139,35 @@ void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition&
 
 /// Statements that are true only with a certain setting.
 std::vector<Expected> expectations() {
-    return {{"three out of four|drei von vier|τρεις από τέσσερις",
+    return {{pattern(inAnyLanguage(&Claims::criterionThreeOfFour)),
              [](const StudyDesign& d) {
                  return std::any_of(d.conditions.begin(), d.conditions.end(),
                                     [](const auto& each) { return same(each.criterion, 0.75); });
              },
              TextClaims::tr("the criterion is not 75 %")},
-            {"cannot see|can't see|unseen|invisible|nicht sehen|unsichtbar\\w*|δεν βλέπετε|αόρατ\\w*",
+            {pattern(inAnyLanguage(&Claims::objectsNotSeen)),
              [](const StudyDesign& d) { return !d.trial.visibleObjects; },
              TextClaims::tr("the objects are shown")},
-            {"look alike|sehen gleich aus|φαίνονται ίδι\\w*",
+            {pattern(inAnyLanguage(&Claims::objectsSeen)),
              [](const StudyDesign& d) { return d.trial.visibleObjects; },
              TextClaims::tr("the objects are not shown")},
-            {"as long as you like|no hurry|no time limit|so lange Sie möchten|solange Sie möchten|ohne "
-             "Zeitdruck|όση ώρα θέλετε|χωρίς χρονικό όριο",
+            {pattern(inAnyLanguage(&Claims::timeNotLimited)),
              [](const StudyDesign& d) { return d.trial.exploreLimit_s <= 0.0; },
              TextClaims::tr("the time to explore is limited")}};
 }
 
 int numberOfWord(const QString& word) {
-    static const std::map<QString, int> numbers{
-        {QStringLiteral("one"), 1},   {QStringLiteral("two"), 2},     {QStringLiteral("three"), 3},
-        {QStringLiteral("four"), 4},  {QStringLiteral("zwei"), 2},    {QStringLiteral("zweier"), 2},
-        {QStringLiteral("drei"), 3},  {QStringLiteral("dreier"), 3},  {QStringLiteral("vier"), 4},
-        {QStringLiteral("δύο"), 2},   {QStringLiteral("τρία"), 3},    {QStringLiteral("τρεις"), 3},
-        {QStringLiteral("τριών"), 3}, {QStringLiteral("τέσσερα"), 4}, {QStringLiteral("τέσσερις"), 4}};
-    const auto found = numbers.find(word.toLower());
-    return found == numbers.end() ? word.toInt() : found->second;
+    const auto found = numberWords().find(word.toLower());
+    return found == numberWords().end() ? word.toInt() : found->second;
+}
+
+/// A number, in digits or as a word, and what is counted.
+QRegularExpression numberOf(QStringList Claims::*counted) {
+    QStringList numbers;
+    for (const auto& [word, ignored] : numberWords())
+        numbers << word;
+    return pattern(QStringLiteral("(?<!\\w)(\\d+|") + oneOf(numbers) + QStringLiteral(")\\s+") +
+                   inAnyLanguage(counted) + QStringLiteral("(?!\\w)"));
 }
 
 /// The numbers and durations that sentences state.
@@ -158,15 +191,9 @@ Counts countsOf(const StudyDesign& design) {
 
 void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts,
                     Where where, int condition = -1) {
-    static const QString kNumber = QStringLiteral("(?<!\\w)(\\d+|one|two|three|four|zweier|zwei|dreier|drei|"
-                                                  "vier|δύο|τρία|τρεις|τριών|τέσσερα|τέσσερις)\\s+");
-    static const QRegularExpression objects = pattern(
-        kNumber + QStringLiteral("(?:objects|tubes|surfaces|spheres|Objekten?|Schläuchen?|Oberflächen|Kugeln|"
-                                 "αντικείμενα|αντικειμένων|σωλήνες|σωλήνων|επιφάνειες|επιφανειών)(?!\\w)"));
-    static const QRegularExpression trials =
-        pattern(kNumber + QStringLiteral("(?:trials|Durchgängen?|δοκιμές|δοκιμών)(?!\\w)"));
-    static const QRegularExpression seconds =
-        pattern(kNumber + QStringLiteral("(?:seconds|Sekunden|δευτερόλεπτα|δευτερολέπτων)(?!\\w)"));
+    static const QRegularExpression objects = numberOf(&Claims::objects);
+    static const QRegularExpression trials = numberOf(&Claims::trials);
+    static const QRegularExpression seconds = numberOf(&Claims::seconds);
     const Counts counts = countsOf(design);
     for (const auto& [language, words] : texts) {
         const QString text = QString::fromStdString(words);
@@ -187,7 +214,7 @@ void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, 
         count(trials, counts.trials, TextClaims::tr("another number of trials is set"));
         count(seconds, counts.seconds, TextClaims::tr("another time is set"));
         for (const Expected& each : expectations())
-            if (const QRegularExpressionMatch match = pattern(QString::fromUtf8(each.words)).match(text);
+            if (const QRegularExpressionMatch match = each.said.match(text);
                 match.hasMatch() && !each.holds(design))
                 tell(match.captured(0), each.setting);
     }

@@ -206,6 +206,7 @@ void ExperimenterPanel::draw(const psychophysics::Condition&) {
     m_plot->setObjectName(QStringLiteral("experimenter.plot"));
     m_plot->setMinimumHeight(m_theme.px(200));
     m_plot->setXAxis({tr("Trial"), {}, {}});
+    m_plot->setXWholeNumbers();
     m_plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
     m_plot->setLegendShown(m_points.size() > 1);
     constexpr report::PlotStyle kStyles[] = {report::PlotStyle::solidA, report::PlotStyle::dashedB,

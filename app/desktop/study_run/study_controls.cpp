@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/study_controls.h"
 
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QCoreApplication>
 
@@ -29,14 +29,15 @@ ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
                    ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"),
                                  Words::tr("Lower the tool into the ring: roll the wheel towards you, or "
                                            "hold Page Down. Away from you, or "
-                                           "Page Up, pulls. To let go, lower it well below the ring.")}
+                                           "Page Up, pulls. To let go, lower it well below the ring, then "
+                                           "raise it.")}
                    : ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
                                  Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or "
                                            "Page Up, raises.")};
     return isTakenHold(attribute)
                ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"),
                              Words::tr("Lower the tip into the ring, then raise the handle. To let go, push "
-                                       "it well below the ring.")}
+                                       "it well below the ring, then raise it.")}
                : ControlHint{
                      Pictogram::pressStylus, Words::tr("Press"),
                      Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
@@ -59,7 +60,7 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
     case Task::yesNo:
         return Words::tr("Press Y for yes, N for no.");
     case Task::adjustment:
-        return Words::tr("Press + and − until both feel the same, then Enter.");
+        return Words::tr("Press + and − until both seem the same, then Enter.");
     case Task::magnitude:
         return Words::tr("Type a number, then press Enter.");
     default:
@@ -99,7 +100,8 @@ QString studyKeys(Task, Attribute, const StudyHand& hand) {
 }
 
 std::vector<int> studyMovementKeys(const StudyHand& hand) {
-    return hand.pointer ? movementKeys(session::PointerTool::point) : std::vector<int>();
+    return movementKeys(session::PointerTool::point,
+                        hand.pointer ? devices::HandKind::mouseAndKeyboard : devices::HandKind::handle);
 }
 
 } // namespace chiron::desktop

@@ -12,7 +12,9 @@
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/study_run/sitting_sentences.h"
 #include "desktop/study_run/study_controls.h"
+#include "desktop/training/felt_words.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/widgets/state_panel.h"
@@ -56,16 +58,23 @@ QString TrialsScreen::title() const {
 
 /// Participants read this as well, so it reveals no more than their own page.
 QString TrialsScreen::help() const {
-    return tr("Here a participant explores objects and answers.\n\nMove the tool with the device, or with "
-              "the mouse; with the mouse, raise and "
-              "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene "
-              "captures it again and answers "
-              "nothing. Answer with the buttons or with the keys shown on them, as soon as they are "
-              "enabled.\n\nIn practice, Backspace takes "
-              "an answer back.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; "
-              "pressing Esc again asks whether to stop "
-              "the session. All answered trials are kept; a stopped run continues later at the same "
-              "trial.\n\nF2 is for the experimenter.");
+    const QString keys = tr("Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc "
+                            "again asks whether to stop the session.");
+    return paragraphs(
+        {tr("Here a participant explores objects and answers."),
+         tr("Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the "
+            "wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again "
+            "and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they "
+            "are enabled."),
+         tr("In practice, Backspace takes an answer back."), keys + QLatin1Char(' ') + afterStopText(),
+         tr("F2 is for the experimenter.")});
+}
+
+/// What becomes of a run that is stopped: the same words in the help, in the question and afterwards.
+QString TrialsScreen::afterStopText() const {
+    return isPilot() ? tr("What was tried in a pilot run does not count as data of the study, and a stopped "
+                          "pilot run is not continued.")
+                     : tr("All answered trials are kept. The run continues later at the same trial.");
 }
 
 void TrialsScreen::enter() {
@@ -161,11 +170,18 @@ QString TrialsScreen::furtherPartText() const {
     return said.join(QLatin1Char(' '));
 }
 
-void TrialsScreen::showWholeInstructions() {
+void TrialsScreen::sayWholeInstructions() {
+    m_whole = true;
     m_break->say(
         tr("Before you begin"),
-        paragraphs({study_words::text(m_live->design().instructions, context().language()), partText()}),
+        paragraphs({study_words::text(m_live->design().instructions, context().language()),
+                    sittingSentences(m_live->design(), m_live->condition(), noisePlays(), context().locale()),
+                    partText()}),
         tr("Continue (Enter)"));
+}
+
+void TrialsScreen::showWholeInstructions() {
+    sayWholeInstructions();
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
@@ -182,9 +198,7 @@ void TrialsScreen::showCard() {
                         : study_words::question(condition.task, condition.stimulus.attribute);
     facts.controls = studyControls(condition.task, condition.stimulus.attribute, hand);
     facts.keys = studyKeys(condition.task, condition.stimulus.attribute, hand);
-    facts.limit = hand.felt
-                      ? tr("You feel the objects through the device.")
-                      : tr("This device renders no force: what a hand would feel is shown beside the scene.");
+    facts.limit = felt_words::objects(hand.felt);
     facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. "
                                                       "Nothing counts in it, and you can end it at any time.")
                                                  : tr("The trials go on where they were interrupted.");
@@ -349,17 +363,14 @@ void TrialsScreen::capturePointer() {
 void TrialsScreen::askToStop() {
     if (!running() || m_asking)
         return;
-    if (isPilot()) { // nothing is lost
-        m_live->stop();
-        return;
-    }
     m_asking = true;
     m_live->pause();
     freePointer();
-    QMessageBox box(QMessageBox::Question, title(), tr("Stop this session?"), QMessageBox::NoButton,
+    QMessageBox box(QMessageBox::Question, title(),
+                    isPilot() ? tr("Stop this pilot run?") : tr("Stop this session?"), QMessageBox::NoButton,
                     m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
     box.setObjectName(QStringLiteral("trials.ask"));
-    box.setInformativeText(tr("All answered trials are kept. The run continues later at the same trial."));
+    box.setInformativeText(afterStopText());
     QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
     keep->setObjectName(QStringLiteral("trials.ask.keep"));
     QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::DestructiveRole);
@@ -378,11 +389,26 @@ void TrialsScreen::finished() {
     freePointer();
     const core::Result<session::LiveStudyResult>& result = m_live->result();
     m_completed = result && result->completed;
-    const QString what =
-        !result       ? tr("The session could not be run.") + QLatin1Char('\n') + inWords(result.error())
-        : m_completed ? tr("This condition is completed.")
-                      : tr("All answered trials are kept. The run continues at the same trial.");
-    m_completed&& ConditionQuestions::areIn(m_live->design()) ? askQuestions(what) : showEnd(what);
+    const bool asks = m_completed && ConditionQuestions::areIn(m_live->design());
+    if (isPilot() && result && !m_completed && !result->endedByItself) {
+        m_ended = endText(result);
+        leave(); // whoever tried it was asked, and knows what becomes of it
+    } else {
+        asks ? askQuestions(endText(result)) : showEnd(endText(result));
+    }
+}
+
+/// For the experimenter: how the session ended.
+QString TrialsScreen::endText(const core::Result<session::LiveStudyResult>& result) const {
+    if (!result)
+        return tr("The session could not be run.") + QLatin1Char('\n') + inWords(result.error());
+    if (result->completed)
+        return isPilot() ? tr("The pilot run reached its end.") : tr("This condition is completed.");
+    if (result->endedByItself)
+        return tr("The session ended by itself before all trials were done, and nothing more was presented. "
+                  "Check the device before you go on.") +
+               QLatin1Char(' ') + afterStopText();
+    return afterStopText();
 }
 
 void TrialsScreen::fail(const core::Error& error) {

@@ -87,8 +87,11 @@ private:
     void showScene(const session::LiveStudyView& view);
     void showBreak(const session::LiveStudyView& view);
     QString whyNoAnswer(const session::LiveStudyView& view) const;
+    QString exploringWords(const session::LiveStudyView& view) const;
     QString apexWords(const session::LiveStudyView& view) const;
     QString stoppedText() const;
+    QString afterStopText() const;
+    QString endText(const core::Result<session::LiveStudyResult>& result) const;
     QString triedText() const;
     /// "Trial 3 of 12"; does not reveal the state of the procedure.
     QString trialText(const session::LiveStudyView& view) const;
@@ -97,7 +100,8 @@ private:
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
-    void showSilence(); ///< visible to the experimenter only
+    bool noisePlays() const; ///< whether the participant hears the masking noise during the trials
+    void showSilence();      ///< visible to the experimenter only
 
     // trials_screen_desk.cpp: who sees what, and who may continue
     void placePage();
@@ -107,6 +111,7 @@ private:
     void callExperimenter(std::function<void()> then);
     void showDesk();
     void showPage();
+    void returnKeys();
     /// Asks the questionnaires after the condition, on the participant's page; showEnd() follows.
     void askQuestions(const QString& what);
     void showEnd(const QString& what);
@@ -118,6 +123,7 @@ private:
     void begin();
     void showInstructions();
     void showWholeInstructions();
+    void sayWholeInstructions(); ///< again after a change of what they say
     QString partText() const;
     QString furtherPartText() const;
     void showCard();
@@ -186,6 +192,7 @@ private:
     bool m_over = false;
     bool m_asking = false;
     bool m_begun = false; ///< the instructions have been read
+    bool m_whole = false; ///< the whole instructions are, or were, on the page
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     /// Time since a page appeared without a key press, while the participant was doing something else.
     QElapsedTimer m_pageCame;

@@ -8,6 +8,7 @@
 #include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/participant_page.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"
@@ -17,7 +18,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -49,7 +50,7 @@ TrialsScreen::TrialsScreen(AppContext& context, const Place& place)
 
 void TrialsScreen::buildPage() {
     const Theme& theme = context().theme();
-    m_page = new QWidget;
+    m_page = new ParticipantPage;
     m_page->setObjectName(QStringLiteral("trials.page"));
     auto* column = new QVBoxLayout(m_page);
     column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
@@ -86,7 +87,12 @@ void TrialsScreen::buildDesk() {
     masking->setFont(theme.font(TextStyle::body));
     masking->setToolTip(tr("Whether it is on is stored with each trial"));
     masking->setChecked(true);
-    connect(masking, &QCheckBox::toggled, this, [this](bool on) { m_masking = on; });
+    connect(masking, &QCheckBox::toggled, this, [this](bool on) {
+        m_masking = on;
+        if (running() && m_whole && !m_begun && !m_card)
+            sayWholeInstructions();
+        returnKeys();
+    });
     row->addWidget(masking);
     column->addWidget(bar);
     m_noSound = kit::notice(theme, "warning",
@@ -104,8 +110,12 @@ void TrialsScreen::buildDesk() {
     connect(m_experimenter, &ExperimenterPanel::spoilAsked, this, [this] {
         if (running())
             m_live->spoil();
+        returnKeys();
     });
-    connect(m_experimenter, &ExperimenterPanel::pauseAsked, this, &TrialsScreen::pauseOrResume);
+    connect(m_experimenter, &ExperimenterPanel::pauseAsked, this, [this] {
+        pauseOrResume();
+        returnKeys();
+    });
     connect(m_experimenter, &ExperimenterPanel::stopAsked, this, &TrialsScreen::askToStop);
     column->addWidget(m_experimenter, 1);
     m_faces->addWidget(m_desk);
@@ -131,6 +141,7 @@ QWidget* TrialsScreen::buildHead() {
     row->addWidget(m_progress, 2);
     m_call = kit::button(theme, tr("Experimenter …"), "quiet", QStringLiteral("system-lock-screen"));
     m_call->setObjectName(QStringLiteral("trials.experimenter"));
+    m_call->setFocusPolicy(Qt::NoFocus); // no key of the participant presses it; F2 does the same
     connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
     row->addWidget(m_call);
     m_stop = kit::button(theme, tr("Stop … (Esc twice)"), "", QStringLiteral("media-playback-stop"));
@@ -290,7 +301,9 @@ void TrialsScreen::toolKey(int key, bool down) {
             key == Qt::Key_T ? freePointer() : toggleExperimenter();
         return;
     }
-    if (m_card) { // the first movement starts
+    if (m_card) { // the first movement starts, unless there is more to read
+        if (down && m_card->scroll(key))
+            return;
         const std::vector<int> movements =
             studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
         if (down && std::find(movements.begin(), movements.end(), key) != movements.end())

@@ -127,6 +127,13 @@ void TrialsScreen::askQuestions(const QString& what) {
     clearHead(tr("%1 The participant is now answering the questions about it.").arg(what));
 }
 
+/// On a second screen the participant's page has a window of its own. The keys are the participant's, also
+/// after the experimenter has pressed something at the desk.
+void TrialsScreen::returnKeys() {
+    if (m_window && running())
+        m_window->activateWindow();
+}
+
 void TrialsScreen::clearHead(const QString& note) {
     m_strip->clear();
     m_stop->hide();
@@ -148,10 +155,13 @@ void TrialsScreen::showEnd(const QString& what) {
     m_break->countDown(-1.0, 0.0);
     m_stage->setCurrentWidget(m_break);
     clearHead(what);
-    if (atDesk() || !isPilot())
-        (atDesk() ? m_leave : m_call)->setFocus(Qt::OtherFocusReason);
-    else
+    // Keys on the participant's page call nobody: only a pilot run goes on from there.
+    if (atDesk())
+        m_leave->setFocus(Qt::OtherFocusReason);
+    else if (isPilot())
         m_break->focusButton();
+    else
+        m_page->setFocus(Qt::OtherFocusReason);
 }
 
 void TrialsScreen::leave() {

@@ -67,15 +67,19 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         m_answers->clear();
 }
 
+bool TrialsScreen::noisePlays() const {
+    return m_masking && m_live->design().trial.maskingSound && m_sound.works();
+}
+
 /// Plays the masking noise, and records in the run whether it was audible.
 void TrialsScreen::hearMasking(bool scene) {
     using session::TrialCircumstances;
     const bool wanted = m_masking && m_live->design().trial.maskingSound;
     if (m_live->design().trial.maskingSound)
         m_sound.mask(wanted && scene);
-    m_live->setMasking(!wanted           ? TrialCircumstances::kMaskingOff
-                       : m_sound.works() ? TrialCircumstances::kMaskingNoise
-                                         : TrialCircumstances::kMaskingSilent);
+    m_live->setMasking(!wanted        ? TrialCircumstances::kMaskingOff
+                       : noisePlays() ? TrialCircumstances::kMaskingNoise
+                                      : TrialCircumstances::kMaskingSilent);
 }
 
 void TrialsScreen::showSilence() {
@@ -91,9 +95,10 @@ QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
     const QString number = locale.toString(view.trial + 1);
     const QString most = locale.toString(view.ofAtMost);
     const bool fixed = session::trialsAreFixed(m_live->condition());
-    return view.ofAtMost <= 0 ? tr("Trial %1").arg(number)
-           : fixed            ? tr("Trial %1 of %2").arg(number, most)
-                              : tr("Trial %1 of at most %2").arg(number, most);
+    const QString which = view.ofAtMost <= 0 ? tr("Trial %1").arg(number)
+                          : fixed            ? tr("Trial %1 of %2").arg(number, most)
+                                             : tr("Trial %1 of at most %2").arg(number, most);
+    return view.trial == 0 ? tr("%1. From now on every answer counts.").arg(which) : which;
 }
 
 /// Updates the strip for the free minute and the feedback of practice.
@@ -152,8 +157,29 @@ static QString harderWords(const session::LiveStudyView& view, bool pulls, const
                        .arg(namesOfPlaces(view, here), force);
 }
 
+/// Says what the tool holds or has just let go of, and what to do with it. Empty if it has held nothing in
+/// this trial.
+static QString holdWords(const session::LiveStudyView& view) {
+    const int place = view.place >= 0 ? view.place : view.letGo;
+    if (place < 0)
+        return {};
+    const QString name = namesOfPlaces(view, 1U << place);
+    const bool one = view.places == 1;
+    if (view.place < 0)
+        return one ? TrialsScreen::tr("You let go of the object. Raise the tool.")
+                   : TrialsScreen::tr("You let go of %1. Raise the tool.").arg(name);
+    if (((view.touched >> place) & 1U) == 0)
+        return one ? TrialsScreen::tr("You hold the object. Pull it up.")
+                   : TrialsScreen::tr("You hold %1. Pull it up.").arg(name);
+    return one ? TrialsScreen::tr("You hold the object. To let go, lower the tool well below the ring, then "
+                                  "raise it.")
+               : TrialsScreen::tr(
+                     "You hold %1. To let go, lower the tool well below its ring, then raise it.")
+                     .arg(name);
+}
+
 static QString untouchedWords(double probe_N, const QLocale& locale) {
-    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was felt with at least %1 N in time.")
+    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was explored with at least %1 N in time.")
                                .arg(study_words::plainNumber(probe_N, locale))
                          : TrialsScreen::tr("Not every object was touched in time.");
 }
@@ -198,8 +224,11 @@ QString TrialsScreen::repeatedText(const session::LiveStudyView& view) const {
 
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     switch (view.state) {
-    case State::trying:
-        return tr("The answers are here. They are taken once the trials begin.");
+    case State::trying: {
+        const QString held =
+            isTakenHold(m_live->condition().stimulus.attribute) ? holdWords(view) : QString();
+        return held.isEmpty() ? tr("The answers are here. They are taken once the trials begin.") : held;
+    }
     case State::coming:
         if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones
             return tr("The next objects are coming. Lift the tool off.");
@@ -216,17 +245,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
             return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
-        if (const QString harder =
-                harderWords(view, isTakenHold(m_live->condition().stimulus.attribute), context().locale());
-            !view.canAnswer && !harder.isEmpty())
-            return harder;
-        if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) &&
-            !missingObjects(view).isEmpty())
-            return tr("To let go, lower the tool well below the ring. Touch next: %1.")
-                .arg(missingObjects(view));
-        return view.canAnswer     ? QString()
-               : view.places == 1 ? tr("Touch the object first.")
-                                  : tr("Touch first: %1.").arg(missingObjects(view));
+        return exploringWords(view);
     case State::answering:
         return tr("The time to explore is over. Answer now.");
     default:
@@ -234,10 +253,24 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     }
 }
 
+QString TrialsScreen::exploringWords(const session::LiveStudyView& view) const {
+    const bool pulls = isTakenHold(m_live->condition().stimulus.attribute);
+    const QString missing = missingObjects(view);
+    const QString held = pulls && !missing.isEmpty() ? holdWords(view) : QString();
+    if (view.canAnswer)
+        return held;
+    if (const QString harder = harderWords(view, pulls, context().locale()); !harder.isEmpty())
+        return harder;
+    const bool pullsNow = view.place >= 0 && ((view.touched >> view.place) & 1U) == 0;
+    if (held.isEmpty())
+        return view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missing);
+    return view.places == 1 || pullsNow ? held : held + QLatin1Char(' ') + tr("Touch next: %1.").arg(missing);
+}
+
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying:
-        return tr("Feel for the highest point, and mark it.");
+        return tr("Find the highest point, and mark it.");
     case State::coming:
         return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
@@ -245,7 +278,7 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
             .arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
         return view.canAnswer ? tr("Click or press Enter at the highest point.")
-                              : tr("Feel for the sphere first.");
+                              : tr("Find the sphere first.");
     default:
         return whyNoAnswer(view);
     }
@@ -315,8 +348,8 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(
             tr("Please ask the experimenter"),
             view.again && view.probe_N > 0.0
-                ? tr("Several times in a row, not every object was felt with at least %1 N in time. Ask the "
-                     "experimenter to show how an object is explored and let go.")
+                ? tr("Several times in a row, not every object was explored with at least %1 N in time. Ask "
+                     "the experimenter to show how an object is explored and let go.")
                       .arg(study_words::plainNumber(view.probe_N, context().locale()))
             : view.again
                 ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to "

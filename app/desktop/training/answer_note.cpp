@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/answer_note.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/exercise_face.h"
 
 namespace chiron::desktop {
@@ -34,6 +34,21 @@ QString AnswerNote::foundWords() const {
     return object ? m_found->words(*object, m_locale) : QString();
 }
 
+/// What went wrong while the trial goes on; empty if nothing did. The worst comes first. A perforation that
+/// does not count, because no trial is running, is not told.
+QString AnswerNote::heldWords(const session::LiveSample& at) const {
+    const bool counts = at.phase == core::TrialPhase::running && !at.paused;
+    if (at.yielded && counts)
+        return m_feedback
+                   ? AnswerTexts::tr("Too hard: the tissue gave way. Draw back until you are out of it")
+                   : AnswerTexts::tr("The tissue gave way");
+    if (m_feedback && (at.events & bits::kDamaged) != 0)
+        return AnswerTexts::tr("Too much: the tissue was damaged");
+    if (m_feedback && (at.events & bits::kSlipped) != 0)
+        return AnswerTexts::tr("It slipped: hold it a little more firmly");
+    return {};
+}
+
 /// Keeps what the scene may show of this trial: the sphere whose apex was marked, or the objects to be found.
 void AnswerNote::keepTruth(const session::LiveSample& at) {
     const bool marked = (at.events & bits::kMarked) != 0;
@@ -52,6 +67,11 @@ void AnswerNote::keepTruth(const session::LiveSample& at) {
 void AnswerNote::take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
     for (const session::LiveSample& sample : samples) {
         QString said;
+        if ((sample.events & bits::kTrialStarted) != 0) {
+            // The next trial runs, so the last result disappears.
+            m_said.clear();
+            m_shown.reset();
+        }
         if ((sample.events & kEnds) != 0)
             keepTruth(sample);
         if ((sample.events & bits::kMarked) != 0)
@@ -62,15 +82,8 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
             said = AnswerTexts::tr("This trial can no longer be completed");
         else if ((sample.events & bits::kCompleted) != 0)
             said = after(AnswerTexts::tr("Trial completed"), foundWords());
-        else if (m_feedback && (sample.events & bits::kDamaged) != 0)
-            said = AnswerTexts::tr("Too much: the tissue was damaged");
-        else if (m_feedback && (sample.events & bits::kSlipped) != 0)
-            said = AnswerTexts::tr("It slipped: hold it a little more firmly");
-        else if ((sample.events & bits::kTrialStarted) != 0) {
-            // The next trial runs, so the last result disappears.
-            m_said.clear();
-            m_shown.reset();
-        }
+        else
+            said = heldWords(sample);
         if (said.isEmpty())
             continue;
         m_said = said;

@@ -22,7 +22,8 @@ class ExerciseFace;
 
 /// The message over the scene for three seconds after a trial was answered or ended. If the level gives
 /// feedback, it says how far a mark lies from the apex, or which lumps were found, and the true place is
-/// drawn beside the mark. Otherwise it says that the mark was taken. It also says that time ran out.
+/// drawn beside the mark. Otherwise it says that the mark was taken. It also says that time ran out, and, as
+/// soon as it happens, that tissue gave way: with what to do about it on a level that gives feedback.
 /// Thread: GUI.
 class AnswerNote {
 public:
@@ -57,6 +58,7 @@ private:
     }
     void keepTruth(const session::LiveSample& at);
     QString markedWords(const session::LiveSample& at) const;
+    QString heldWords(const session::LiveSample& at) const; ///< about the tissue and the grip
     QString foundWords() const; ///< about what was reported by the end; empty if there was nothing to find
     bool isFound() const { return m_found && m_found->answers(); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "devices/driver.h"
 #include "session/exercise_kind.h"
 
 #include <QString>
@@ -29,12 +30,12 @@ struct ControlHint {
     QString how;  ///< "Mouse, or arrow keys"
 };
 
-/// The three movements that are needed to begin, in the order in which they are needed, for mouse and
-/// keyboard. Used for exercises without a guide of their own (LivePart::controls). All other keys are in
-/// keysInWords().
+/// The movements that are needed to begin, in the order in which they are needed, with what the person holds:
+/// three, and how to change the instrument where one hand moves several of `tools`. Used for exercises
+/// without a guide of their own (LivePart::controls). All other keys are in keysInWords().
 /// Thread: GUI.
-std::vector<ControlHint> controlGuide(session::PointerTool tool);
-/// The keys (Qt::Key) that move this tool.
-std::vector<int> movementKeys(session::PointerTool tool);
+std::vector<ControlHint> controlGuide(session::PointerTool tool, devices::HandKind hand, int tools = 1);
+/// The keys (Qt::Key) that move this tool; none if the person holds the handle of a device.
+std::vector<int> movementKeys(session::PointerTool tool, devices::HandKind hand);
 
 } // namespace chiron::desktop

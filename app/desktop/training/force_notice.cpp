@@ -45,9 +45,9 @@ ForceNotice::ForceNotice(const Theme& theme, QWidget* parent) : QFrame(parent), 
     row->addLayout(column, 1);
 }
 
-void ForceNotice::show(const ForceWords& words) {
+bool ForceNotice::show(const ForceWords& words) {
     if (words == m_words)
-        return;
+        return false;
     const QLatin1String kind(words.kind);
     if (property("kind").toString() != kind) {
         setProperty("kind", QString(kind));
@@ -62,6 +62,8 @@ void ForceNotice::show(const ForceWords& words) {
     m_text->setText(words.text);
     setAccessibleName(words.title);
     setAccessibleDescription(words.text);
+    updateGeometry(); // now: whoever asks measures the height at once
+    return true;
 }
 
 } // namespace chiron::desktop

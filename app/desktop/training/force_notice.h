@@ -17,7 +17,7 @@ class ForceNotice final : public QFrame {
 public:
     explicit ForceNotice(const Theme& theme, QWidget* parent = nullptr);
 
-    void show(const ForceWords& words); ///< cheap if nothing changed
+    bool show(const ForceWords& words); ///< whether anything changed; cheap if nothing did
     const ForceWords& words() const noexcept { return m_words; }
 
 private:

@@ -2,7 +2,6 @@
 #include "desktop/training/grasp_panel.h"
 
 #include "desktop/training/force_bar.h"
-#include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
 #include "desktop/widgets/kit.h"
@@ -18,7 +17,6 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times per second, so that digits can be read
 constexpr double kSpeedAxis_mm_per_s = 60.0;
 constexpr double kPlotHeight_px = 64; // minimum height; the plots grow with the window
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -31,43 +29,27 @@ double largest(const std::array<double, core::kMaxTools>& values) {
 
 GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                        Grasping grasping, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(std::move(grasping)),
-      m_tools(m_grasping.tools), m_column(new QVBoxLayout(this)) {
-    setProperty("kind", QStringLiteral("card"));
-    m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-    m_column->setSpacing(theme.px(6));
-    addHead();
+    : InfoView(theme, {.edge_px = 8.0, .gap_px = 6.0}, parent), m_theme(theme), m_locale(locale),
+      m_cues(cues), m_grasping(std::move(grasping)), m_tools(m_grasping.tools) {
+    addTask();
     if (cues.bars)
         addBars();
     if (cues.numbers)
         addNumbers();
     if (cues.plots)
         addPlots();
-    if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
-        none->setObjectName(QStringLiteral("training.no_cues"));
-        m_column->addWidget(none);
-    }
-    if (!cues.plots)
-        m_column->addStretch();
-    addLoopLine(theme, *m_column);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots);
 }
 
-void GraspPanel::addHead() {
-    m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
-    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
+void GraspPanel::addTask() {
     m_held = kit::label(m_theme, m_grasping.held({}, m_locale), TextStyle::body, "muted");
     m_held->setObjectName(QStringLiteral("training.held"));
-    auto* head = new QHBoxLayout;
-    head->setSpacing(m_theme.px(8));
-    head->addWidget(m_held, 1);
-    head->addWidget(m_elapsed, 0, Qt::AlignTop);
-    m_column->addLayout(head);
+    addHead(m_held);
     m_step = kit::label(m_theme, m_grasping.step({}, m_locale), TextStyle::strong);
     m_step->setObjectName(QStringLiteral("training.step"));
     // The label reserves two lines, so that nothing below it moves.
     m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing());
-    m_column->addWidget(m_step);
+    parts().addWidget(m_step);
     if (!m_cues.bars && !m_cues.numbers)
         return;
     m_dwell = new QProgressBar;
@@ -76,7 +58,7 @@ void GraspPanel::addHead() {
     m_dwell->setToolTip(tr("Holding time completed"));
     m_dwell->setFormat(tr("Holding time: %p %"));
     m_dwell->setRange(0, 100);
-    m_column->addWidget(m_dwell);
+    parts().addWidget(m_dwell);
 }
 
 void GraspPanel::addBars() {
@@ -86,14 +68,14 @@ void GraspPanel::addBars() {
                              m_cues.numbers);
     m_target->setObjectName(pulled ? QStringLiteral("training.tension_bar")
                                    : QStringLiteral("training.squeeze_bar"));
-    m_column->addWidget(m_target);
+    parts().addWidget(m_target);
     if (m_grasping.retractionEnd_N > 0.0) {
         m_retraction =
             new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2},
                           m_cues.numbers);
         m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
-        m_retraction->setLimit(m_grasping.limits.retraction_N.value_or(0.0));
-        m_column->addWidget(m_retraction);
+        m_retraction->setLimit(m_grasping.retractionLimit_N);
+        parts().addWidget(m_retraction);
     }
     for (int i = 0; i < m_tools; ++i) {
         const QString name = m_tools == 1 ? tr("Force")
@@ -101,9 +83,9 @@ void GraspPanel::addBars() {
                              : i == 1     ? tr("Force, left")
                                           : tr("Force, instrument %1").arg(i + 1);
         auto* bar =
-            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.limits.force_N, 2}, m_cues.numbers);
+            new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.forceLimit_N, 2}, m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
-        m_column->addWidget(bar);
+        parts().addWidget(bar);
         m_force.push_back(bar);
     }
 }
@@ -111,7 +93,7 @@ void GraspPanel::addBars() {
 void GraspPanel::addNumbers() {
     m_load = kit::label(m_theme, {}, TextStyle::body);
     m_load->setObjectName(QStringLiteral("training.load"));
-    m_column->addWidget(m_load);
+    parts().addWidget(m_load);
     auto* tips = new QWidget;
     auto* grid = new QGridLayout(tips);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -136,7 +118,7 @@ void GraspPanel::addNumbers() {
         row += i == 0 ? 2 : 1;
         m_rows.push_back(cells);
     }
-    m_column->addWidget(tips);
+    parts().addWidget(tips);
     addDetail(tips);
 }
 
@@ -144,7 +126,7 @@ LivePlot* GraspPanel::plot(const char* name, const QString& title, double top, s
     auto* made = new LivePlot(m_theme, m_locale, title, top, limit);
     made->setObjectName(QLatin1String(name));
     made->setMinimumHeight(m_theme.px(kPlotHeight_px));
-    m_column->addWidget(made, 1);
+    parts().addWidget(made, 1);
     return made;
 }
 
@@ -154,27 +136,29 @@ void GraspPanel::addPlots() {
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
                            : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N,
                                   m_grasping.measuredLimit_N);
+    if (m_targetPlot)
+        addSpare(m_targetPlot);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"),
-                       m_grasping.limits.force_N * 1.25, m_grasping.limits.force_N);
-    if (!m_cues.bars)
+                       m_grasping.forceLimit_N * 1.25, m_grasping.forceLimit_N);
+    if (m_cues.bars)
+        addSpare(m_forcePlot);
+    else
         m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
 }
 
-void GraspPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
-    for (const session::LiveSample& sample : samples)
-        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
+void GraspPanel::showMoving(const haptics::DisplayState& state,
+                            std::span<const session::LiveSample> samples) {
     showBars(state);
     if (m_cues.plots)
         addSamples(state, samples);
-    if (m_frame++ % kNumbersEvery_frames != 0)
-        return;
+}
+
+void GraspPanel::showReadings(const haptics::DisplayState& state) {
     showWords(state);
     if (m_cues.numbers)
         showNumbers(state);
-    showLoop(state);
-    m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 
 void GraspPanel::showBars(const haptics::DisplayState& state) {

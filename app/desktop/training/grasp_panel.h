@@ -11,7 +11,6 @@
 class QGridLayout;
 class QLabel;
 class QProgressBar;
-class QVBoxLayout;
 
 namespace chiron::desktop {
 
@@ -29,13 +28,16 @@ public:
     GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Grasping grasping,
                QWidget* parent = nullptr);
 
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
+protected:
+    void showMoving(const haptics::DisplayState& state,
+                    std::span<const session::LiveSample> samples) override;
+    void showReadings(const haptics::DisplayState& state) override;
 
 private:
     struct ToolRow {
         std::array<QLabel*, 4> number{}; ///< right, away, up, jaw
     };
-    void addHead();
+    void addTask();
     void addBars();
     void addNumbers();
     void addPlots();
@@ -51,9 +53,7 @@ private:
     session::LevelCues m_cues;
     Grasping m_grasping;
     int m_tools;
-    QVBoxLayout* m_column;
     QLabel* m_step = nullptr;
-    QLabel* m_elapsed = nullptr;
     QProgressBar* m_dwell = nullptr;
     QLabel* m_held = nullptr;
     QLabel* m_load = nullptr; ///< stretch of the tube, or weight of the object
@@ -64,8 +64,6 @@ private:
     LivePlot* m_targetPlot = nullptr;
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
-    std::int64_t m_worked_ms = 0;
-    int m_frame = 0;
 };
 
 } // namespace chiron::desktop

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "haptics/display_state.h"
 #include "session/level_limits.h"
 
@@ -16,14 +16,15 @@ struct Grasping {
     /// Which force on the held object is measured: the tension, or the squeeze of the jaws.
     enum class Measured { tension, squeeze };
 
-    session::LevelLimits limits{};
+    double forceLimit_N = session::LevelLimits{}.force_N; ///< on the tissue
     int tools = 1;
     Measured measured = Measured::squeeze;
     double measuredEnd_N = 1.0;   ///< end of its scale
     double measuredLimit_N = 0.0; ///< 0: it has a band instead
     /// End of the scale of the pull on a fold of tissue; 0: no fold is retracted.
     double retractionEnd_N = 0.0;
-    int retractor = -1; ///< the tool that retracts the fold; -1: none
+    double retractionLimit_N = 0.0; ///< 0: nothing limits the pull
+    int retractor = -1;             ///< the tool that retracts the fold; -1: none
 
     // The rules by which the scene lets jaws grasp (GraspLatch).
     double reach_m = 0.0;

@@ -59,6 +59,8 @@ void HeaderBar::show(const haptics::DisplayState& state) {
 
 void HeaderBar::setCompact(bool compact) {
     m_device->setVisible(!compact);
+    for (QLabel* label : {m_trial, m_left})
+        label->setFont(m_theme.font(compact ? TextStyle::strong : TextStyle::title));
 }
 
 void HeaderBar::setMuted(bool muted) {

@@ -29,7 +29,7 @@ public:
     HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state);
-    void setCompact(bool compact); ///< one line, if the scene needs the height
+    void setCompact(bool compact); ///< without the device, in smaller text, if the scene needs the height
     void setMuted(bool muted);
     void setSilent(const QString& why); ///< there is no sound output: says so once, unobtrusively
 

@@ -17,6 +17,10 @@ bool isEnter(int key) {
 bool isTab(int key) {
     return key == Qt::Key_Tab || key == Qt::Key_Backtab;
 }
+bool readsPanel(const QKeyEvent& event) {
+    return event.modifiers().testFlag(Qt::ControlModifier) && event.type() != QEvent::KeyRelease &&
+           (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp);
+}
 
 } // namespace
 
@@ -51,7 +55,13 @@ bool KeyFilter::takes(const QKeyEvent& event, QObject* watched) const {
     const int key = event.key();
     if (key == Qt::Key_Escape)
         return !(m_held && elsewhere());
-    if (elsewhere() || (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0)
+    if (elsewhere())
+        return false;
+    if (readsPanel(event))
+        return true;
+    // A tool key that is let go stops the tool, whatever else is held by then.
+    const bool letGo = event.type() == QEvent::KeyRelease && isToolKey(key);
+    if (!letGo && (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0)
         return false;
     if (isTab(key))
         return m_scene && watched == m_scene && !watched->isWidgetType();
@@ -75,7 +85,9 @@ bool KeyFilter::eventFilter(QObject* watched, QEvent* event) {
 
 void KeyFilter::act(const QKeyEvent& event) {
     const int key = event.key();
-    if (isToolKey(key)) {
+    if (readsPanel(event)) {
+        emit panelAsked(key == Qt::Key_PageDown);
+    } else if (isToolKey(key)) {
         emit toolKey(key, event.type() == QEvent::KeyPress);
     } else if (key == Qt::Key_Escape) {
         emit stopAsked();

@@ -15,7 +15,8 @@ namespace chiron::desktop {
 /// It is an event filter on the application. Esc stops force at once and closes nothing while force may flow.
 /// Space pauses and resumes, whatever has the focus. Enter marks, or presses the button that the person moved
 /// to with Tab (the screen takes the focus back whenever the hand continues). R re-arms. F5 starts again. The
-/// hand's own keys move the tool. Tab leaves the scene for the controls. While a dialog is open or a text is
+/// hand's own keys move the tool. Tab leaves the scene for the controls. Ctrl+Page Down and Ctrl+Page Up read
+/// on and back in the panel, which a captured pointer cannot reach. While a dialog is open or a text is
 /// being typed, only Esc is handled.
 /// Thread: GUI.
 class KeyFilter final : public QObject {
@@ -40,7 +41,8 @@ signals:
     void markAsked();
     void startAgainAsked();
     void depthOfFieldAsked();
-    void detailsAsked(); ///< F4
+    void detailsAsked();        ///< F4
+    void panelAsked(bool down); ///< Ctrl+Page Down and Ctrl+Page Up
     void toolKey(int key, bool down);
     void leaveSceneAsked(bool forward); ///< Tab while the scene has the focus
 

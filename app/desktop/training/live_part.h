@@ -2,7 +2,6 @@
 #pragma once
 
 #include "catalogue/exercise.h"
-#include "core/report_word.h"
 #include "desktop/scene3d/scene_note.h"
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/theme/theme.h"
@@ -33,9 +32,11 @@ struct LiveSurroundings {
     QLocale locale;
     session::LevelCues cues;
     bool ownHand = false; ///< the person's own; otherwise a demonstration is watched
+    devices::HandKind hand = devices::HandKind::mouseAndKeyboard; ///< what it holds
     bool leftHanded = false;
     bool practises = false;
-    std::function<void(core::ReportField, unsigned)> report; ///< reports a finding to the running session
+    /// Sends a report to the running session: a word whose meaning the exercise defines.
+    std::function<void(std::uint16_t word)> report;
     /// Frees the pointer while the trial runs; a click in the scene captures it again.
     std::function<void()> freePointer;
 };

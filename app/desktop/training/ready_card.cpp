@@ -30,6 +30,7 @@ ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWi
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     column->addWidget(buildText(facts), 1);
+    column->addWidget(buildReadOn());
     column->addWidget(buildButtons(facts));
     installEventFilter(this);
     for (QPushButton* button : findChildren<QPushButton*>())
@@ -59,7 +60,7 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     };
     line(facts.limit, "training.ready.limit");
     line(facts.clock, "training.ready.clock");
-    if (!isShort()) {
+    if (m_kind != Kind::brief) {
         if (!facts.gates.isEmpty())
             line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))),
                  "training.ready.gates");
@@ -95,6 +96,17 @@ QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
     return row;
 }
 
+/// Says with which key a text is read that is longer than the window; hidden while all of it is visible.
+QWidget* ReadyCard::buildReadOn() {
+    auto* words = kit::label(m_theme, wasAskedFor() ? tr("Arrow keys: read on") : tr("Space: read on"),
+                             TextStyle::small, "muted");
+    words->setObjectName(QStringLiteral("training.ready.read_on"));
+    words->hide();
+    connect(m_page->verticalScrollBar(), &QScrollBar::rangeChanged, words,
+            [words](int, int maximum) { words->setVisible(maximum > 0); });
+    return words;
+}
+
 QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
     auto* bar = new QWidget;
     auto* flow = new FlowLayout(m_theme.px(10), bar);
@@ -122,7 +134,7 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         watch->setToolTip(tr("Watch a scripted expert at this level. Nothing is counted."));
         connect(watch, &QPushButton::clicked, this, &ReadyCard::watchAsked);
     }
-    if (isShort())
+    if (m_kind == Kind::brief)
         connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this,
                 &ReadyCard::wholeAsked);
     else
@@ -138,8 +150,13 @@ bool ReadyCard::eventFilter(QObject*, QEvent* event) {
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease)
         return false;
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    if (key.key() == Qt::Key_Space)
-        return true; // Space pauses in the scene, and releasing it would press a button
+    if (key.key() == Qt::Key_Space) { // Space pauses in the scene, and releasing it would press a button
+        if (event->type() == QEvent::KeyPress)
+            m_page->verticalScrollBar()->triggerAction(key.modifiers().testFlag(Qt::ShiftModifier)
+                                                           ? QAbstractSlider::SliderPageStepSub
+                                                           : QAbstractSlider::SliderPageStepAdd);
+        return true;
+    }
     return event->type() == QEvent::KeyPress && pressed(key);
 }
 
@@ -161,11 +178,11 @@ bool ReadyCard::pressed(const QKeyEvent& key) {
     return true;
 }
 
-// Scrolls a card that is longer than the window. Only whole cards use these keys; on a short card they are a
-// first movement.
+// Scrolls a card that is longer than the window. Only cards that were asked for use these keys; on the others
+// they are a first movement.
 bool ReadyCard::scroll(int key) {
     QScrollBar& bar = *m_page->verticalScrollBar();
-    if (isShort() || bar.maximum() <= 0)
+    if (!wasAskedFor() || bar.maximum() <= 0)
         return false;
     if (key == Qt::Key_Up || key == Qt::Key_Down)
         bar.triggerAction(key == Qt::Key_Up ? QAbstractSlider::SliderSingleStepSub

@@ -31,9 +31,10 @@ struct ReadyFacts {
     QString clock;                     ///< number of trials, and when the clock starts
 };
 
-/// The card before the first trial of a level: task, movements and force limit. It explains the movements to
-/// people who are new to the level; "More" shows the scoring and the meaning of the marks. Its text scrolls,
-/// its buttons do not. "Go", Enter or the first movement key of the tool starts the session.
+/// The card before the first trial of a level: task, movements, force limit, scoring and the meaning of the
+/// marks. People who know the level get a brief one, with "More" for the rest. Its text scrolls, its buttons
+/// do not. "Go", Enter or the first movement key of the tool starts the session, so Space reads on where the
+/// text is longer than the window; on the cards that were asked for the arrow and page keys do so, too.
 ///
 /// A key with a meaning in the scene must not press a button by accident. Space pauses in the scene and
 /// therefore presses no button. A key held down since before the card appeared does nothing. A card that
@@ -44,8 +45,8 @@ class ReadyCard final : public QWidget {
     Q_OBJECT
 public:
     enum class Kind {
-        first, ///< before the first session at this level; explains each movement
-        brief, ///< before a later session
+        first, ///< before the first session at this level: everything
+        brief, ///< before a later session: task, names of the movements, force limit
         whole, ///< everything, on request
         paused ///< like whole, while the session is paused
     };
@@ -55,7 +56,7 @@ public:
     Kind kind() const noexcept { return m_kind; }
     /// The keys (Qt::Key) whose press counts as a first movement.
     void setToolKeys(std::vector<int> keys) { m_toolKeys = std::move(keys); }
-    bool scroll(int key); ///< false: not a scrolling key, or nothing to scroll
+    bool scroll(int key); ///< false: no scrolling key of this card, or nothing to scroll
     void takeFocus();     ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
@@ -71,10 +72,12 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    bool isShort() const noexcept { return m_kind == Kind::first || m_kind == Kind::brief; }
+    /// Whether the person asked for this card, so that no key is a first movement before it is read.
+    bool wasAskedFor() const noexcept { return m_kind == Kind::whole || m_kind == Kind::paused; }
     bool pressed(const QKeyEvent& key);
     QWidget* buildText(const ReadyFacts& facts);
     QWidget* buildControls(const std::vector<ControlHint>& controls);
+    QWidget* buildReadOn();
     QWidget* buildButtons(const ReadyFacts& facts);
 
     const Theme& m_theme;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/report_word.h"
 #include "haptics/display_state.h"
 #include "session/live_training.h"
+
+#include <cstdint>
 
 namespace chiron::desktop {
 
@@ -26,9 +27,7 @@ public:
     void keepNext(bool kept);
     void resumeHere() { post(core::CommandKind::confirmHold); }
     void mark() { post(core::CommandKind::mark); }
-    void report(core::ReportField field, unsigned value) {
-        m_training.post(core::CommandKind::report, core::reportWord(field, value));
-    }
+    void report(std::uint16_t word) { m_training.post(core::CommandKind::report, word); }
     void end() { post(core::CommandKind::end); }
 
     bool paused() const noexcept { return m_paused; }

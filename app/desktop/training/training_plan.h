@@ -33,6 +33,8 @@ struct TrainingPlan {
     /// the device renders.
     bool feltByPerson() const { return ownHand() && driver->deviceClass == devices::DeviceClass::felt; }
     bool ownHand() const { return movedBy(devices::MovedBy::person); }
+    /// Whether the person moves the tools with mouse and keyboard.
+    bool byPointer() const { return ownHand() && driver->hand == devices::HandKind::mouseAndKeyboard; }
     bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;
     static TrainingPlan fromMap(const QVariantMap& map); ///< missing or unknown entries get the default

@@ -10,6 +10,7 @@
 #include "desktop/training/key_filter.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/side_panel.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
@@ -131,9 +132,10 @@ void TrainingScreen::connectPointer() {
         if (m_activeText)
             m_activeText->setText(m_live->activeText(tool));
     });
+    if (m_plan.ownHand())
+        m_keys->setToolKeys(handKeys());
     if (!m_hand)
-        return; // the person does not move the tool
-    m_keys->setToolKeys(handKeys());
+        return; // nobody moves the tool with mouse and keyboard
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
@@ -143,7 +145,9 @@ void TrainingScreen::connectPointer() {
 }
 
 std::vector<int> TrainingScreen::handKeys() const {
-    std::vector<int> keys(m_hand->keys().begin(), m_hand->keys().end());
+    std::vector<int> keys;
+    if (m_hand)
+        keys.assign(m_hand->keys().begin(), m_hand->keys().end());
     const std::vector<int> others = m_live->keys();
     keys.insert(keys.end(), others.begin(), others.end());
     return keys;
@@ -266,10 +270,11 @@ void TrainingScreen::showPointer() {
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
     const bool felt = m_feed->training().felt();
-    m_notice->show(forceWords(
-        state,
-        {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()},
-        context().locale()));
+    if (m_notice->show(forceWords(
+            state,
+            {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()},
+            context().locale())))
+        m_side->fit();
     const bool latched = m_control->stopped() || state.force == core::ForceState::stopped ||
                          state.force == core::ForceState::fault;
     m_controls->setMain(latched               ? ControlBar::Main::rearm
@@ -316,7 +321,7 @@ void TrainingScreen::showOutcome() {
 
 void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
-    for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), m_foot})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), static_cast<QWidget*>(m_controls), m_foot})
         part->hide(); // there is nothing to control or measure
     m_stage->showError(
         tr("The session could not be run"), error,

@@ -34,6 +34,7 @@ class ForceNotice;
 class HeaderBar;
 class InfoView;
 class KeyFilter;
+class SidePanel;
 class SoundSign;
 class StatePanel;
 
@@ -68,9 +69,11 @@ private:
     // training_screen_build.cpp
     void build();
     void makeHeader();
-    QWidget* buildSide();
+    void buildSide();
     QWidget* buildDetailsSwitch();
     QWidget* buildFoot();
+    void giveSceneRoom(); ///< the other parts give way, in a fixed order
+    int sceneHeight_px() const;
     LiveSurroundings surroundings();
     InfoView* makeInfo();
     QString keysText() const;
@@ -159,7 +162,7 @@ private:
     SoundSign* m_soundSign = nullptr; ///< for levels with sound and without bars
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
-    QWidget* m_side = nullptr;
+    SidePanel* m_side = nullptr;
     QLabel* m_keysText = nullptr;
     /// How to get from the scene to the buttons and back; null if nobody uses the pointer.
     QLabel* m_pointerText = nullptr;

@@ -9,6 +9,7 @@
 #include "desktop/training/info_panel.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/ready_card.h"
+#include "desktop/training/side_panel.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -18,15 +19,21 @@
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QResizeEvent>
-#include <QScrollArea>
 #include <QStackedWidget>
+#include <algorithm>
+#include <cmath>
 
 namespace chiron::desktop {
 
 namespace {
+constexpr double kMargin_px = 12;
+constexpr double kGap_px = 10;                  // between the parts
 constexpr char kDetails[] = "all_measurements"; // key of a person's setting
 constexpr double kCompactBelow_px = 420;        // height below which the header is compact
-constexpr double kLargestSideShare = 0.44;      // share of a small window, so that the scene stays larger
+// The least that the scene has of the screen, at 1280×720 and 200 %, too: half of the width and two fifths of
+// the height, so that it stays the largest part. Whoever cannot see where the tool is cannot work.
+constexpr double kSceneWidthShare = 0.5;
+constexpr double kSceneHeightShare = 0.4;
 } // namespace
 
 TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
@@ -85,20 +92,20 @@ void TrainingScreen::makeHeader() {
 void TrainingScreen::build() {
     const Theme& theme = context().theme();
     auto* column = new QVBoxLayout(this);
-    const int margin = theme.px(12);
+    const int margin = theme.px(kMargin_px);
     column->setContentsMargins(margin, margin, margin, margin);
-    column->setSpacing(theme.px(10));
+    column->setSpacing(theme.px(kGap_px));
     makeHeader();
     column->addWidget(m_header);
 
     auto* middle = new QHBoxLayout;
-    middle->setSpacing(theme.px(10));
+    middle->setSpacing(theme.px(kGap_px));
     m_stage = new StatePanel(theme);
     m_pages = new QStackedWidget;
     m_stage->setContent(m_pages);
     m_stage->showLoading(tr("Preparing the scene …"));
     middle->addWidget(m_stage, 1);
-    m_side = buildSide();
+    buildSide();
     middle->addWidget(m_side);
     column->addLayout(middle, 1);
 
@@ -130,8 +137,7 @@ QWidget* TrainingScreen::buildFoot() {
     row->addWidget(m_keysText, 1);
     // At a larger scale the keys' text needs the whole row, and it contains this as well.
     constexpr double kRoomUpTo = 1.5;
-    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown &&
-        theme.scale() <= kRoomUpTo) {
+    if (m_plan.byPointer() && theme.scale() <= kRoomUpTo) {
         m_pointerText = kit::label(theme, {}, TextStyle::strong);
         m_pointerText->setObjectName(QStringLiteral("training.pointer"));
         row->addWidget(m_pointerText, 0, Qt::AlignTop);
@@ -163,12 +169,13 @@ LiveSurroundings TrainingScreen::surroundings() {
             .locale = context().locale(),
             .cues = m_cues,
             .ownHand = m_plan.ownHand(),
+            .hand = m_plan.driver->hand,
             .leftHanded = m_plan.workspace.leftHanded,
             .practises = m_plan.practises(),
             .report =
-                [this](core::ReportField field, unsigned value) {
+                [this](std::uint16_t word) {
                     if (running() && !m_storing)
-                        m_control->report(field, value);
+                        m_control->report(word);
                 },
             .freePointer = [this] { hold(); }};
 }
@@ -181,7 +188,7 @@ InfoView* TrainingScreen::makeInfo() {
 
 QString TrainingScreen::keysText() const {
     const QString own = m_live ? m_live->keysText() : QString();
-    return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools) : own;
+    return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools, m_plan.driver->hand) : own;
 }
 
 void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
@@ -190,40 +197,30 @@ void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
             {each.text, QKeySequence(each.key), [this, key = each.key] { (void)m_live->key(key); }, false});
 }
 
-QWidget* TrainingScreen::buildSide() {
+void TrainingScreen::buildSide() {
     const Theme& theme = context().theme();
-    auto* side = new QScrollArea;
-    side->setWidgetResizable(true);
-    side->setFrameShape(QFrame::NoFrame);
-    side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    side->setFocusPolicy(Qt::NoFocus); // nothing in it can be changed
-    auto* inner = new QWidget;
-    inner->setProperty("kind", QStringLiteral("page"));
-    auto* column = new QVBoxLayout(inner);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.px(10));
+    m_side = new SidePanel(theme);
+    QVBoxLayout& column = m_side->column();
     m_notice = new ForceNotice(theme);
-    column->addWidget(m_notice);
+    column.addWidget(m_notice);
     if (m_cues.sound && !m_cues.bars) { // sound cues that no bar shows
         m_soundSign = new SoundSign(theme);
-        column->addWidget(m_soundSign);
+        column.addWidget(m_soundSign);
     }
     if (m_level && m_level->needsForce && m_level->shownForce)
-        column->addWidget(kit::label(theme,
-                                     QString::fromStdString(catalogue::textIn(
-                                         m_level->shownForce->note, context().language().toStdString())),
-                                     TextStyle::small, "muted"));
+        column.addWidget(kit::label(theme,
+                                    QString::fromStdString(catalogue::textIn(
+                                        m_level->shownForce->note, context().language().toStdString())),
+                                    TextStyle::small, "muted"));
     m_info = makeInfo();
-    column->addWidget(m_info, 1);
-    column->addWidget(buildDetailsSwitch());
-    side->setWidget(inner);
+    m_side->addInfo(m_info);
+    column.addWidget(buildDetailsSwitch());
     m_notice->show(forceWords({},
                               {.felt = m_plan.feltByPerson(),
                                .ownHand = m_plan.ownHand(),
                                .endoscope = isEndoscope(),
                                .grasper = isGrasper()},
                               context().locale()));
-    return side;
 }
 
 QWidget* TrainingScreen::buildDetailsSwitch() {
@@ -241,6 +238,7 @@ QWidget* TrainingScreen::buildDetailsSwitch() {
     connect(m_details, &QCheckBox::toggled, this, [this](bool on) {
         context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kDetails), on);
         m_info->setDetailed(on);
+        m_side->fit();
     });
     return m_details;
 }
@@ -258,6 +256,7 @@ void TrainingScreen::buildKeys() {
     connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
     connect(m_keys, &KeyFilter::startAgainAsked, this, &TrainingScreen::askToStartAgain);
     connect(m_keys, &KeyFilter::detailsAsked, m_details, &QCheckBox::toggle);
+    connect(m_keys, &KeyFilter::panelAsked, m_side, &SidePanel::readOn);
     m_keys->setDepthOfFieldKey(m_depthOfField != nullptr);
     connect(m_keys, &KeyFilter::depthOfFieldAsked, this, [this] {
         if (m_depthOfField->isEnabled())
@@ -272,7 +271,7 @@ void TrainingScreen::buildKeys() {
             (void)m_card->scroll(key); // only scrolls, because nothing moves while the card is read
             return;
         }
-        if (!m_hand || (down && m_live->key(key)) || (down && m_control->held()))
+        if ((down && m_live && m_live->key(key)) || !m_hand || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);
     });
@@ -280,15 +279,41 @@ void TrainingScreen::buildKeys() {
 
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
+    giveSceneRoom();
+}
+
+/// In this order: the panel becomes narrower, the text of the keys goes (the ready card and Help list them,
+/// too), the header becomes compact, and the panel gives up the plots that bars show as well, before it has
+/// to scroll (SidePanel). The buttons always stay.
+void TrainingScreen::giveSceneRoom() {
+    const Theme& theme = context().theme();
     const double wanted_px = m_live ? m_live->panelWidth_px() : kPanelWidth_px;
-    // With large text in a small window the scene keeps its space. The ready card and Help also list the
-    // keys.
+    const int beside_px = 2 * theme.px(kMargin_px) + theme.px(kGap_px);
+    const int left_px = width() - beside_px - static_cast<int>(std::ceil(kSceneWidthShare * width()));
+    m_side->setFixedWidth(std::clamp(left_px, 0, theme.px(wanted_px)));
     constexpr double kLargestKeysShare = 0.13;
     m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <=
                            kLargestKeysShare * height());
-    m_header->setCompact(height() < context().theme().px(kCompactBelow_px));
-    m_side->setFixedWidth(
-        std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
+    m_header->setCompact(height() < theme.px(kCompactBelow_px));
+    const int least_px = static_cast<int>(std::ceil(kSceneHeightShare * height()));
+    if (sceneHeight_px() < least_px)
+        m_keysText->hide();
+    if (sceneHeight_px() < least_px)
+        m_header->setCompact(true);
+}
+
+/// What header, foot and controls leave.
+int TrainingScreen::sceneHeight_px() const {
+    const QMargins margins = layout()->contentsMargins();
+    const int width_px = width() - margins.left() - margins.right();
+    int left_px = height() - margins.top() - margins.bottom();
+    for (const QWidget* part : {static_cast<const QWidget*>(m_header), static_cast<const QWidget*>(m_foot),
+                                static_cast<const QWidget*>(m_controls)}) {
+        const int wants_px =
+            part->hasHeightForWidth() ? part->heightForWidth(width_px) : part->sizeHint().height();
+        left_px -= std::clamp(wants_px, part->minimumHeight(), part->maximumHeight()) + layout()->spacing();
+    }
+    return left_px;
 }
 
 QString TrainingScreen::keptText() {
@@ -343,6 +368,10 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
         {tr("All measurements, or those a trainee needs"), QKeySequence(Qt::Key_F4),
          [this] { m_details->toggle(); }, false},
+        {tr("Read on in the panel"), QKeySequence(Qt::CTRL | Qt::Key_PageDown),
+         [this] { m_side->readOn(true); }, false},
+        {tr("Read back in the panel"), QKeySequence(Qt::CTRL | Qt::Key_PageUp),
+         [this] { m_side->readOn(false); }, false},
         {tr("Start again from the beginning"), QKeySequence(Qt::Key_F5), [this] { askToStartAgain(); },
          false},
         {tr("End the session"), {}, [this] { end(); }, true},

@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/side_panel.h"
 #include "desktop/training/training_screen.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
@@ -47,7 +48,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
     facts.controls = m_live ? m_live->controls() : std::vector<ControlHint>();
     if (facts.controls.empty())
-        facts.controls = controlGuide(m_tool);
+        facts.controls = controlGuide(m_tool, m_plan.driver->hand, m_tools);
     facts.keys = keysText();
     facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")),
                                     deviceTitle(m_plan));
@@ -55,10 +56,11 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
-    facts.clock = m_practised
-                      ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
-                      : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.",
-                           nullptr, trials);
+    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
+                  : m_plan.byPointer()
+                      ? tr("%n trial(s). The clock starts when you press Go or move the tool with a key.",
+                           nullptr, trials)
+                      : tr("%n trial(s). The clock starts when you press Go.", nullptr, trials);
     if (m_plan.trials > 0) {
         facts.offersPractice = false; // it is a practice itself
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
@@ -76,7 +78,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
 void TrainingScreen::showCard(ReadyCard::Kind kind) {
     takeCardAway();
     m_card = new ReadyCard(context().theme(), readyFacts(), kind);
-    m_card->setToolKeys(movementKeys(m_tool));
+    m_card->setToolKeys(movementKeys(m_tool, m_plan.driver->hand));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
     connect(m_card, &ReadyCard::watchAsked, this, [this] {
@@ -90,7 +92,7 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
     m_stage->showContent();
-    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot, static_cast<QWidget*>(m_controls)})
         part->hide(); // nothing is running that could be measured or stopped, so the card gets the space
     m_card->takeFocus();
 }
@@ -108,7 +110,7 @@ void TrainingScreen::showCardAgain() {
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
-    for (QWidget* part : {m_side, m_foot})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot})
         part->hide(); // the controls stay, so that force can be stopped at any time
     m_card->takeFocus();
 }
@@ -118,7 +120,7 @@ void TrainingScreen::takeCardAway() {
         return;
     if (m_scene)
         m_pages->setCurrentWidget(m_scene->widget());
-    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+    for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot, static_cast<QWidget*>(m_controls)})
         part->show();
     m_card->hide();
     m_card->deleteLater(); // deferred, because the card itself may have requested this

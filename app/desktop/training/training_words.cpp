@@ -2,6 +2,7 @@
 #include "desktop/training/training_words.h"
 
 #include "desktop/station/station_words.h"
+#include "desktop/training/felt_words.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -44,9 +45,7 @@ QString deviceTitle(const TrainingPlan& plan) {
     const QString name = StationWords::driver(*plan.driver);
     if (plan.driver->name.empty())
         return name; // the command line's title already says whether force is felt
-    return plan.driver->deviceClass == devices::DeviceClass::shown
-               ? Words::tr("%1: force shown, not felt").arg(name)
-               : Words::tr("%1: force felt").arg(name);
+    return felt_words::device(name, plan.feltByPerson());
 }
 
 QString deviceIcon(devices::MovedBy movedBy) {
@@ -61,9 +60,15 @@ QString deviceIcon(devices::MovedBy movedBy) {
     return QStringLiteral("input-mouse");
 }
 
-QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
+QString keysInWords(bool ownHand, session::PointerTool tool, int tools, devices::HandKind hand) {
     if (!ownHand)
         return Words::tr("You are watching. Space: pause or continue. Esc: stop.");
+    if (hand == devices::HandKind::handle)
+        return tool == session::PointerTool::point
+                   ? Words::tr(
+                         "Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: "
+                         "stop force. F5: start again.")
+                   : Words::tr("Move: with the handle. Space: pause. Esc: stop force. F5: start again.");
     if (tool == session::PointerTool::endoscope)
         return Words::tr(
             "Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move "

@@ -13,8 +13,9 @@ namespace chiron::desktop {
 QString operatorTitle(const std::string& name); ///< "an expert"; an unknown name is returned unchanged
 QString deviceTitle(const TrainingPlan& plan);  ///< including whether force is felt
 QString deviceIcon(devices::MovedBy movedBy);   ///< Breeze name
-/// How to move the tool, mark, pause and stop.
-QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1);
+/// How to move the tool, mark, pause and stop, with what the person holds.
+QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1,
+                    devices::HandKind hand = devices::HandKind::mouseAndKeyboard);
 /// Names the instrument that mouse and keyboard move: `tool` counts from 0.
 QString activeToolInWords(int tool, int tools);
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/least_squares.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/study/study_design.h"
 #include "session/study/fidelity_sample.h"
 #include "session/study/sliding_trail.h"
 #include "session/study/trial_fidelity.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <array>
 #include <vector>

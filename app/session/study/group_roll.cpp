@@ -53,7 +53,8 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed) 
         return Presence::unfinished;
     if (hasWarning(estimate.warnings, WarningKind::allRight))
         return Presence::allRight;
-    if (hasWarning(estimate.warnings, WarningKind::priorEdgeHigh))
+    if (hasWarning(estimate.warnings, WarningKind::priorEdgeHigh) &&
+        !hasWarning(estimate.warnings, WarningKind::priorEdgeLow))
         return Presence::guessing;
     return usable == psychophysics::Usable::priorMadeIt ? Presence::unbounded : Presence::noValue;
 }

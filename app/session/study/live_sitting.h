@@ -62,11 +62,12 @@ struct LiveStudyView {
     State state = State::starting;
     psychophysics::Task task = psychophysics::Task::rank3;
     int places = 3;
-    bool practice = false;
+    bool practice = false;     ///< the present trial, or between two trials the next one, does not count
     bool firstPart = true;     ///< the participant has completed no other condition of the study
     int trial = 0;             ///< scored trials done
     int ofAtMost = 0;          ///< 0: not known
     int place = -1;            ///< place in contact now
+    int letGo = -1;            ///< place that was in contact last in this trial, if none is now; -1: none
     std::uint32_t touched = 0; ///< in this trial, one bit per place
     std::uint32_t grazed = 0;  ///< places that were in contact in this trial, however lightly, one bit per
                                ///< place
@@ -120,6 +121,9 @@ struct LiveStudyResult {
     database::StudyRunNumber run = 0;
     database::SessionId session = 0;
     bool completed = false; ///< if false, the run can be resumed later
+    /// Nobody stopped the run, and trials were left: a session ended by itself, and another one would end in
+    /// the same way.
+    bool endedByItself = false;
 };
 
 /// A sphere that the device cannot render stably. If experimenters are blind, it is the stiffest of all

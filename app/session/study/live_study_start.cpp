@@ -38,13 +38,14 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
         study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     CHIRON_TRY(begun);
+    const double free_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
     auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none,
-                            sessionLabel(study, sitting.run.sealedCode));
+                            sessionLabel(study, sitting.run.sealedCode), free_s > 0.0);
     CHIRON_TRY(level);
     auto state = std::make_unique<State>(
         database, actor, study, std::move(begun->progress), std::move(*level),
         !request.station.tools.front().device->descriptor().rendersForce, request.language);
-    state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
+    state->tryFor_s = free_s;
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);
     state->blinding = study.record.blinding;

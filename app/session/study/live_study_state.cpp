@@ -47,10 +47,13 @@ void LiveStudy::State::drain() {
 void LiveStudy::State::take(const FidelitySample& sample) {
     constexpr std::uint32_t kEnds =
         core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
+    if (last.place != 0 && sample.place != last.place)
+        letGo = static_cast<int>(last.place) - 1;
     last = sample;
     if (sample.events & core::event_bits::kTrialStarted) {
         clock.begin(sample.tick);
         grazed = 0;
+        letGo = -1;
         view.again = false;
         view.hand.clear();
     }
@@ -136,7 +139,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();
     }
-    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.next().practice;
+    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.practising();
     if (progress.breakDue())
         breakSince = Clock::now();
 }
@@ -202,12 +205,12 @@ int LiveStudy::State::mostAlike() const {
     return static_cast<int>(least - differences.begin());
 }
 
-/// Runs the free minute: objects stay in place until it is over, without a trial. If the design removes them
-/// after a time, they are presented again.
+/// Runs the free minute: objects stay in place until it is over, without a trial. No limit of the design
+/// applies to them (ComparisonParameters::freeFirst).
 void LiveStudy::State::goOnTrying() {
     const bool over = stopping || triedSoFar_s() >= tryFor_s;
     if (tryPresented) {
-        if (!posted && last.phase == TrialPhase::running && (over || timeIsUp()))
+        if (over && !posted && last.phase == TrialPhase::running)
             posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
     } else if (over) {
         tryFor_s = 0.0;
@@ -245,7 +248,8 @@ void LiveStudy::State::conclude() {
     }
     if (!result && result.error().code != core::ErrorCode::wrongUse)
         return; // a trial could not be stored
-    LiveStudyResult ended{run, training->result()->session, progress.done() && !stopping};
+    LiveStudyResult ended{run, training->result()->session, progress.done() && !stopping,
+                          !progress.done() && !stopping};
     if (ended.completed)
         if (auto closed = finishRun(database, actor, study, run); !closed) {
             result = tl::unexpected(closed.error());
@@ -255,12 +259,13 @@ void LiveStudy::State::conclude() {
 }
 
 void LiveStudy::State::describe() {
-    view.practice = (presented || pending) && shown.practice;
+    view.practice = !trying() && (presented || pending ? shown.practice : progress.practising());
     view.mayTakeBack = pending.has_value() && !done;
     view.tryLeft_s = trying() ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
     view.trial = progress.scored();
     view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
     view.place = static_cast<int>(last.place) - 1;
+    view.letGo = view.place < 0 ? letGo : -1;
     view.touched = last.touched;
     view.grazed = grazed;
     view.probe_N = study.design.trial.mustTouchAll ? study.design.trial.probeAtLeast_N : 0.0;

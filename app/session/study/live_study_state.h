@@ -63,6 +63,7 @@ struct LiveStudy::State {
     std::string spoiled;
     FidelitySample last;
     std::uint32_t grazed = 0; ///< places in contact in this trial, one bit per place
+    int letGo = -1;           ///< the place whose contact ended last in this trial; -1: none
     TrialClock clock;
     Clock::time_point feedbackSince, breakSince, stopSince;
     core::Result<LiveStudyResult> result =

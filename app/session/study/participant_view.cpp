@@ -71,7 +71,6 @@ ParticipantView participantView(const psychophysics::StudyDesign& design) {
     view.feedback = rules.feedback;
     view.mustTouchAll = rules.mustTouchAll;
     view.probes = rules.mustTouchAll && rules.probeAtLeast_N > 0.0;
-    view.maskingSound = rules.maskingSound;
     view.questionsBefore = questions(design, psychophysics::Questionnaire::When::before);
     view.questionsAfter = questions(design, psychophysics::Questionnaire::When::after);
     view.questionsAfterEach = questions(design, psychophysics::Questionnaire::When::afterCondition);

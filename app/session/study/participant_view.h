@@ -38,7 +38,6 @@ struct ParticipantView {
     bool feedback = false;
     bool mustTouchAll = true;
     bool probes = false; ///< with a minimum force: a light contact is not enough
-    bool maskingSound = false;
     int questionsBefore = 0;
     int questionsAfter = 0;
     int questionsAfterEach = 0; ///< questions after each part

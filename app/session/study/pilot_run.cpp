@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/pilot_run.h"
 
+#include "catalogue/language_words.h"
 #include "catalogue/study_reader.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
-
-#include <map>
 
 namespace chiron::session {
 
 namespace {
 
 constexpr std::size_t kLongestKey = 64;
-
-const std::map<std::string, std::string>& pilotWords() {
-    static const std::map<std::string, std::string> words{
-        {"en", "Pilot: "}, {"de", "Probelauf: "}, {"el", "Πιλοτική δοκιμή: "}};
-    return words;
-}
 
 /// "tubes_pilot_2": the first key that is free.
 core::Result<std::string> freeKey(database::StudyReader& reader, const std::string& study) {
@@ -64,10 +57,8 @@ psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, 
     pilot.id = key;
     pilot.pilotOf = draft.id;
     pilot.blindExperimenter = false;
-    for (auto& [language, title] : pilot.title) {
-        const auto word = pilotWords().find(language);
-        title.insert(0, word == pilotWords().end() ? pilotWords().at("en") : word->second);
-    }
+    for (auto& [language, title] : pilot.title)
+        title.insert(0, catalogue::wordsOfLanguage(language).pilotPrefix);
     return pilot;
 }
 

@@ -6,11 +6,11 @@
 #include "core/random.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/scene_exchange.h"
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
 #include "realtime/periodic_runner.h"
 #include "session/study/study_director.h"
 #include "session/study/study_setup.h"
 #include "session/training_run.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <atomic>
 #include <cmath>
@@ -23,8 +23,7 @@ namespace {
 core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                ITickDirector& director) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
-    if (auto opened = station.tools.front().device->open(); !opened)
-        return opened;
+    CHIRON_TRY(station.tools.front().device->open());
     haptics::LiveInputs inputs;
     director.connect(inputs);
     haptics::SafetySupervisor supervisor;

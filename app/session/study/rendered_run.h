@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/observers/observer_spec.h"
 #include "psychophysics/study/run_estimate.h"
 #include "session/study/study_progress.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <limits>
 #include <string>

@@ -2,7 +2,7 @@
 #include "session/study/simulated_limits.h"
 
 #include "mechanisms/scripted_motion.h"
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "operators/comparison/comparison_explorer.h"
 #include "session/delay_measurement.h"
 #include "session/exercise_kind.h"
 #include "session/station.h"

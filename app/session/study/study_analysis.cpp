@@ -250,8 +250,7 @@ core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study,
 core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number,
                                          std::uint64_t seed, const AnalysisChoices& choices) {
     auto study = opened(reader, number);
-    if (!study)
-        return study;
+    CHIRON_TRY(study);
     auto participants = reader.participants(number);
     CHIRON_TRY(participants);
     for (const database::Participant& participant : *participants)

@@ -61,8 +61,7 @@ core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bo
 
 core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind,
                                  const StudyRunRequest& request) {
-    if (auto observer = checkObserver(design, request.observer); !observer)
-        return observer;
+    CHIRON_TRY(checkObserver(design, request.observer));
     const bool one = !blind && !request.condition.empty();
     if (one && !conditionOf(design, request.condition))
         return core::fail(core::ErrorCode::notFound,
@@ -71,8 +70,7 @@ core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool 
     CHIRON_TRY(limits);
     for (const psychophysics::Condition& condition : design.conditions)
         if (!one || condition.id == request.condition)
-            if (auto good = checkCondition(design, blind, condition, request, *limits); !good)
-                return good;
+            CHIRON_TRY(checkCondition(design, blind, condition, request, *limits));
     return {};
 }
 

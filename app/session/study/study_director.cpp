@@ -3,7 +3,7 @@
 
 #include "core/presentation_word.h"
 #include "core/units.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <algorithm>
 #include <cmath>

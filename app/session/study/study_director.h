@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/comparison/operators/participant_mind.h"
+#include "operators/comparison/participant_mind.h"
 #include "psychophysics/observers/simulated_observer.h"
 #include "session/study/fidelity_meter.h"
 #include "session/study/study_progress.h"

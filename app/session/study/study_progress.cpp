@@ -82,8 +82,7 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
                                                   const std::vector<database::StudyTrial>& trials,
                                                   double limit) {
     auto progress = begin(design, condition, seed, limit);
-    if (!progress)
-        return progress;
+    CHIRON_TRY(progress);
     for (const database::StudyTrial& trial : trials) {
         if (progress->needsExperimenter())
             // The run continued, since otherwise there would be no further trial.
@@ -100,6 +99,10 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
 
 bool StudyProgress::done() const {
     return m_state->allDone();
+}
+
+bool StudyProgress::practising() const {
+    return !done() && m_state->practises();
 }
 
 bool StudyProgress::breakDue() const {

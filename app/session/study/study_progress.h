@@ -66,7 +66,8 @@ public:
     ~StudyProgress();
 
     bool done() const;
-    bool breakDue() const; ///< until breakTaken()
+    bool practising() const; ///< the next presentation, if there is one, is practice
+    bool breakDue() const;   ///< until breakTaken()
     void breakTaken();
     StudyPresentation next() const;
     /// The candidate nearest to D among those that the device renders: the position to which a dial can be

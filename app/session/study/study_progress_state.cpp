@@ -56,7 +56,7 @@ psychophysics::Stimulus StudyProgress::State::stimulusOf(int candidate) const {
 
 StudyPresentation StudyProgress::State::present() const {
     StudyPresentation next;
-    next.practice = practised < rules.practiceTrials;
+    next.practice = practises();
     next.trial = scored;
     next.ordinal = ordinal;
     next.repeat = repeat;
@@ -117,8 +117,7 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
         // difference: the trial is kept, and the procedure asks again.
         const int told = psychophysics::scoredOutcome(condition.task, trial.outcome, procedure.outcomes());
         if (psychophysics::showsDifference(condition.task, trial.arrangement))
-            if (auto done = procedure.record(told, stimulusOf(trial.candidate)); !done)
-                return done;
+            CHIRON_TRY(procedure.record(told, stimulusOf(trial.candidate)));
         ++scored;
         ++asked[static_cast<std::size_t>(trial.procedure)];
         repeat = 0;

@@ -35,6 +35,7 @@ struct StudyProgress::State {
     bool stopped = false;
 
     bool allDone() const;
+    bool practises() const { return practised < rules.practiceTrials; }
     int pickProcedure() const;
     int candidateFor(double x) const;
     /// x of a candidate in the procedures' own scale; not finite if it has none (log of 0).

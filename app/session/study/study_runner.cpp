@@ -99,10 +99,9 @@ core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& s
                        sitting.request.observer.trainee, seed, std::min(wanted, most),
                        sitting.request.ringFolder, sitting.request.cancel,
                        [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
-        if (!session)
-            return session;
+        CHIRON_TRY(session);
         last = *session;
-        // Without progress, another session would be stuck as well.
+        // Without progress, another session would be stuck as well; runConducted() says so.
         if (!sitting.stored || sitting.presented == before)
             break;
     }
@@ -192,6 +191,16 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
     return BegunRun{*begun, conducted.sealedCode, seed, {}, std::move(*progress)};
 }
 
+/// Fails if trials are left although nobody interrupted the run.
+core::Result<void> wentOn(const Sitting& sitting) {
+    if (sitting.progress.done() || sitting.interrupted())
+        return {};
+    return core::fail(core::ErrorCode::device,
+                      "run " + std::to_string(sitting.run) +
+                          ": its session ended by itself before all trials were done, and nothing more was "
+                          "presented. The answered trials are kept, and the run can be resumed");
+}
+
 core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor,
                                            const StudyRunRequest& request, const OpenedStudy& study,
                                            const std::string& label, const database::ConductedRun& conducted,
@@ -229,8 +238,8 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
         CHIRON_TRY(session);
         summary.session = *session;
     }
-    if (!sitting.stored)
-        return tl::unexpected(sitting.stored.error());
+    CHIRON_TRY(sitting.stored);
+    CHIRON_TRY(wentOn(sitting));
     summary.scored = run->progress.scored();
     summary.spoiled = run->progress.spoiledTrials();
     summary.completed = run->progress.done() && !run->progress.gaveUp();

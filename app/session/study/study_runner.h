@@ -2,10 +2,10 @@
 #pragma once
 
 #include "database/database.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "psychophysics/observers/observer_spec.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <atomic>
 #include <filesystem>
@@ -61,7 +61,8 @@ struct StudyRunReport {
 /// give the same trials.
 /// Errors: notFound; notAllowed; wrongUse (not frozen; a person's code; another observer than the one
 ///   enrolled; an explicit seed other than the one with which a run began; resuming a quick run with
-///   rendering, or the reverse); badInput; storage.
+///   rendering, or the reverse); badInput; storage; device (a session ended by itself and presented nothing
+///   more).
 core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor,
                                               const StudyRunRequest& request);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_setup.h"
 
+#include "catalogue/comparison_content.h"
 #include "core/random.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "operators/comparison/comparison_explorer.h"
 #include "session/exercise_kind.h"
 
 #include <algorithm>
@@ -13,10 +13,11 @@ namespace chiron::session {
 core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design,
                                                   const psychophysics::Condition& condition,
                                                   simulation::ComparisonControl control,
-                                                  const std::string& sealedCode) {
+                                                  const std::string& sealedCode, bool freeFirst) {
     auto parameters = catalogue::comparisonOf(condition, design.trial);
     CHIRON_TRY(parameters);
     parameters->control = control;
+    parameters->freeFirst = freeFirst;
     return catalogue::comparisonLevel(*parameters, design.id, sealedCode.empty() ? condition.id : sealedCode);
 }
 

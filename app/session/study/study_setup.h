@@ -3,10 +3,10 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
-#include "modules/exercises/comparison/operators/participant_mind.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "operators/comparison/participant_mind.h"
 #include "psychophysics/study/study_design.h"
 #include "session/station.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <cstdint>
 #include <string>
@@ -15,12 +15,12 @@ namespace chiron::session {
 
 /// The level under which a condition's sessions are recorded. `control`: a deliberate fault
 /// (psychophysics.md §6). `sealedCode`: the name of the condition in the session's title and in the level's
-/// id; empty: its own id.
+/// id; empty: its own id. `freeFirst`: the session begins with a free minute, to which no limit applies.
 /// Errors: badInput.
 core::Result<catalogue::ExerciseLevel>
 studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
            simulation::ComparisonControl control = simulation::ComparisonControl::none,
-           const std::string& sealedCode = {});
+           const std::string& sealedCode = {}, bool freeFirst = false);
 
 /// The condition with this id; null if there is none.
 const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& design, const std::string& id);

@@ -159,8 +159,7 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
         return database::StudyRepository(context.connection(), actor)
             .finishRun(run, database::StudyRunState::completed);
     });
-    if (!ended)
-        return ended;
+    CHIRON_TRY(ended);
     auto now = openStudy(database, actor, study.record.summary.id, study.participant.code);
     if (!now || !openConditions(*now).empty())
         return now ? core::Result<void>() : tl::unexpected(now.error());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/trial_fidelity.h"
 
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
 #include "session/study/fidelity_sample.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

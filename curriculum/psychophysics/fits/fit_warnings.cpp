@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/fits/chi_square.h"
 #include "psychophysics/fits/fit_summary.h"
 #include "psychophysics/fits/likelihood_search.h"
 
@@ -64,14 +65,18 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-/// Returns whether a step explains the answers as well as any curve, within chance. If so, no interval of the
-/// width begins above 0.
+/// Returns whether a step explains the answers as well as any curve, within chance: whether the profile
+/// interval of the width at 95 % begins at 0 (profile_interval.h). A step has one parameter less than a
+/// curve, the width, and lapse and guess may be searched in both, so the quantile is that of one parameter
+/// (chi_square.h). Like those of the other warnings, the level does not depend on the confidence of the
+/// intervals.
 bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
-    constexpr double kChiSquare95 = 3.841; // with one degree of freedom
+    constexpr double kWithinChance = 0.95;
     const FreeParameters free = freeParameters(options);
     const double lapse = free.lapse ? 0.0 : options.lapse.value,
                  guess = free.guess || free.equal ? 0.0 : options.guess.value;
-    return likelihoodRatioOfStep(levels, result.function, free, lapse, guess) < kChiSquare95;
+    return likelihoodRatioOfStep(levels, result.function, free, lapse, guess) <
+           chiBarSquareQuantile(kWithinChance, free.bounded());
 }
 
 void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptions& options) {

@@ -35,6 +35,8 @@ struct FreeParameters {
         return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) +
                static_cast<int>(guess);
     }
+    /// Returns how many of those that are searched may lie at a bound: lapse and guess, at 0.
+    int bounded() const noexcept { return static_cast<int>(lapse) + static_cast<int>(guess); }
 };
 FreeParameters freeParameters(const FitOptions& options) noexcept;
 /// Returns the options with both asymptotes fixed if one is fixed and the other has to equal it.

@@ -105,8 +105,7 @@ template <class Drop> double crossing(Drop&& drop, double from, double step) {
 ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options,
                                     const SearchResult& best) {
     Profile profile(levels, options, best);
-    const FreeParameters free = freeParameters(options);
-    const int bounded = static_cast<int>(free.lapse) + static_cast<int>(free.guess);
+    const int bounded = freeParameters(options).bounded();
     const double allowed = 0.5 * chiBarSquareQuantile(options.confidence, bounded);
     const StimulusScale scale = options.scale.value_or(ownScale(options.function));
     const SigmoidUnits units = unitsOf(options.function);

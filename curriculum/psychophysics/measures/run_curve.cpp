@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/measures/run_curve.h"
 
+#include "psychophysics/measures/exact_tests.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace chiron::psychophysics {
 
@@ -72,6 +76,26 @@ double quantileOf(const std::vector<double>& sorted, double share) noexcept {
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     const double part = place - static_cast<double>(below);
     return part > 0.0 ? sorted[below] + part * (sorted[above] - sorted[below]) : sorted[below];
+}
+
+double quantileErrorOf(const std::vector<double>& sorted, double share) {
+    if (sorted.size() < 2)
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto n = static_cast<double>(sorted.size());
+    const double a = share * (n + 1.0), b = (1.0 - share) * (n + 1.0);
+    // How often each value is the quantile of a bootstrap sample
+    std::vector<double> weight(sorted.size());
+    double below = 0.0, mean = 0.0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double upTo = betaRegularised(static_cast<double>(i + 1) / n, a, b);
+        weight[i] = upTo - below;
+        below = upTo;
+        mean += weight[i] * sorted[i];
+    }
+    double variance = 0.0;
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+        variance += weight[i] * (sorted[i] - mean) * (sorted[i] - mean);
+    return std::sqrt(std::max(0.0, variance));
 }
 
 void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers,

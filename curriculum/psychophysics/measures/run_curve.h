@@ -17,5 +17,9 @@ int kindOfCurve(Task task) noexcept;
 /// Returns the value below which `share` of the values lie, interpolated between neighbours; `sorted` is
 /// ascending. Not a number if there are no values.
 double quantileOf(const std::vector<double>& sorted, double share) noexcept;
+/// Returns the standard error of that quantile, 0 < share < 1, as if the values were drawn anew: the spread
+/// of a bootstrap of the order statistic, exact and without drawing (Maritz & Jarrett 1978). Not a number for
+/// fewer than two values.
+double quantileErrorOf(const std::vector<double>& sorted, double share);
 
 } // namespace chiron::psychophysics

@@ -68,13 +68,17 @@ bool isStep(const ScoredAnswers& answers, double chance) {
                        [](const CurvePoint& point) { return point.right == point.of; });
 }
 
+void warnOfEnd(std::vector<Warning>& warnings, double density, WarningKind edge, WarningKind bound) {
+    if (density >= kAtEdge)
+        warnings.push_back({edge});
+    else if (density >= kTouchesEdge)
+        warnings.push_back({bound});
+}
+
 void warnOfPosterior(std::vector<Warning>& warnings, const ThurstonePosterior& posterior) {
-    const double atEdge = std::max(posterior.densityAtLowSigma, posterior.densityAtHighSigma);
-    const bool low = posterior.densityAtLowSigma > posterior.densityAtHighSigma;
-    if (atEdge >= kAtEdge)
-        warnings.push_back({low ? WarningKind::priorEdgeLow : WarningKind::priorEdgeHigh});
-    else if (atEdge >= kTouchesEdge)
-        warnings.push_back({low ? WarningKind::priorBoundLow : WarningKind::priorBoundHigh});
+    using enum WarningKind;
+    warnOfEnd(warnings, posterior.densityAtLowSigma, priorEdgeLow, priorBoundLow);
+    warnOfEnd(warnings, posterior.densityAtHighSigma, priorEdgeHigh, priorBoundHigh);
     if (posterior.meanLapse > kManyLapses)
         warnings.push_back({WarningKind::lapses});
 }

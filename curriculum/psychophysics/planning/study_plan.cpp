@@ -41,6 +41,9 @@ void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector
     plan.weber10 = quantileOf(webers, 0.1);
     plan.weber50 = quantileOf(webers, 0.5);
     plan.weber90 = quantileOf(webers, 0.9);
+    plan.weber10Error = quantileErrorOf(webers, 0.1);
+    plan.weber50Error = quantileErrorOf(webers, 0.5);
+    plan.weber90Error = quantileErrorOf(webers, 0.9);
 }
 
 void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
@@ -180,6 +183,16 @@ double detectableRatio(PowerQuestion question, double wantedPower) {
     for (int i = 0; i < kHalvings; ++i)
         (found(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
     return std::pow(10.0, high);
+}
+
+double figureError(const PowerQuestion& question, double runSdError,
+                   const std::function<double(const PowerQuestion&)>& figure) {
+    const auto at = [&](double sd) {
+        PowerQuestion asked = question;
+        asked.runSdLog10 = std::max(sd, 0.0);
+        return std::isfinite(sd) ? figure(asked) : std::numeric_limits<double>::quiet_NaN();
+    };
+    return 0.5 * std::abs(at(question.runSdLog10 + runSdError) - at(question.runSdLog10 - runSdError));
 }
 
 } // namespace chiron::psychophysics

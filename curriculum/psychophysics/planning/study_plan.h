@@ -6,6 +6,7 @@
 #include "psychophysics/study/warning.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ struct ConditionPlan {
     double weber10 = std::numeric_limits<double>::quiet_NaN(),
            weber50 = std::numeric_limits<double>::quiet_NaN();
     double weber90 = std::numeric_limits<double>::quiet_NaN();
+    /// Their Monte Carlo standard errors, for the same reason (quantileErrorOf).
+    double weber10Error = std::numeric_limits<double>::quiet_NaN(),
+           weber50Error = std::numeric_limits<double>::quiet_NaN();
+    double weber90Error = std::numeric_limits<double>::quiet_NaN();
     /// Per run, with practice and breaks, at 4 s per object (25 s per apex) and 2 s per answer.
     double minutes = 0.0;
     double fisherPerTrial = 0.0; ///< information per trial about ln σ at the best spacing
@@ -70,5 +75,11 @@ double power(const PowerQuestion& question);
 int participantsFor(PowerQuestion question, double wantedPower);
 /// Returns the smallest ratio of JNDs (above 1) that is found with that power; not a number: none up to 10.
 double detectableRatio(PowerQuestion question, double wantedPower);
+
+/// Returns the Monte Carlo standard error of a figure that follows from the spread between runs: half of what
+/// it changes by when runSdLog10 is one standard error larger and smaller (`runSdError`:
+/// ConditionPlan::sdError). Not a number where the figure is none at one of the two.
+double figureError(const PowerQuestion& question, double runSdError,
+                   const std::function<double(const PowerQuestion&)>& figure);
 
 } // namespace chiron::psychophysics

@@ -20,7 +20,7 @@ std::vector<Parameter> constantRows() {
                .description = "presentations of each level.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Trials per level"),
                .meaning = QT_TRANSLATE_NOOP("Procedures", "Each level is presented so often."),
-               .sensible = SensibleRange{1, 10000, 20}}),
+               .usual = UsualValue{20}}),
         rowOf(&Spec::shuffled,
               {.key = "shuffled",
                .description = "in blocks of one of each level, shuffled; false: in the order given.",

@@ -20,7 +20,7 @@ std::vector<Parameter> descendingRows() {
                                .title = QT_TRANSLATE_NOOP("Procedures", "Presentations per level"),
                                .meaning = QT_TRANSLATE_NOOP(
                                    "Procedures", "Each level is presented so often before it is decided."),
-                               .sensible = SensibleRange{1, 100, 3}}),
+                               .usual = UsualValue{3}}),
         rowOf(&Spec::passes,
               {.key = "passes",
                .minimum = 1,
@@ -29,7 +29,7 @@ std::vector<Parameter> descendingRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Right answers to go on"),
                .meaning =
                    QT_TRANSLATE_NOOP("Procedures", "With fewer right answers at a level the run ends there."),
-               .sensible = SensibleRange{1, 100, 2}}),
+               .usual = UsualValue{2}}),
         rowOf(&Spec::levels,
               {.key = "levels",
                .unit = "x",

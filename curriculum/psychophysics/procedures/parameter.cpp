@@ -78,7 +78,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
          .description = "at most so many scored trials.",
          .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
          .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends after so many trials at the latest."),
-         .sensible = SensibleRange{0, 100000}}));
+         .usual = UsualValue{}}));
     Parameter reversals{.key = "reversals",
                         .maximum = kMostTrialsOfStop,
                         .description = "so many reversals.",
@@ -88,7 +88,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         reversals.meaning = QT_TRANSLATE_NOOP(
             "Procedures",
             "The run ends once the direction has changed so often; 0: the trials alone end it.");
-        reversals.sensible = SensibleRange{0, 100, 12};
+        reversals.usual = UsualValue{12};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
     Parameter fewest{.key = "minimum_trials",
@@ -104,7 +104,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
         fewest.meaning =
             QT_TRANSLATE_NOOP("Procedures", "The run does not end earlier, however sure the estimate is.");
-        fewest.sensible = SensibleRange{0, 100000, 20};
+        fewest.usual = UsualValue{20};
         sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop when known within");
         sd.meaning = QT_TRANSLATE_NOOP(
             "Procedures",

@@ -38,11 +38,9 @@ struct ParameterWord {
     std::string_view title{}; ///< for people; English, marked for translation; empty: never offered
 };
 
-/// The recommended range shown beside a field, in the field's unit. It is narrower than the allowed range.
-struct SensibleRange {
-    double lowest = 0.0;
-    double highest = 0.0;
-    std::optional<double> usual{}; ///< none: the value that a new procedure has in this condition
+/// The usual value, which is shown beside a field together with the allowed range, in the field's unit.
+struct UsualValue {
+    std::optional<double> value{}; ///< none: the value that a new procedure has in this condition
 };
 
 /// The numbers that a field accepts and how they are written, in the field's unit.
@@ -87,8 +85,8 @@ struct Parameter {
     std::string_view meaningOfFactor{}; ///< used where distances on x are factors; empty: as meaning
     std::string_view zero{};            ///< name of the smallest value ("never"); empty: shown as a number
     std::string_view change{};          ///< name of a change for undo; empty: a change of the procedure
-    std::optional<SensibleRange> sensible{};
-    std::optional<FieldRange> field{};         ///< empty: as its quantity prescribes
+    std::optional<UsualValue> usual{};  ///< empty: neither it nor the range is shown
+    std::optional<FieldRange> field{};  ///< empty: as its quantity prescribes
     std::optional<FieldRange> fieldOfFactor{}; ///< used where distances on x are factors; empty: as field
     bool (*applies)(const ProcedureSpec& spec) = nullptr; ///< whether it is asked for now; null: always
     /// Whether distances are not in the unit of x and are therefore shown as stored; null: never.

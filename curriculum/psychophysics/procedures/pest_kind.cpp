@@ -28,7 +28,7 @@ std::vector<Parameter> pestRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Right answers aimed at"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "The run looks for the difference at which so many answers are right."),
-               .sensible = SensibleRange{0, 100, 75}}),
+               .usual = UsualValue{75}}),
         rowOf(&Spec::waldDeviation, {.key = "wald_deviation",
                                      .maximum = 1000,
                                      .description = "a step once right answers are off by more than this.",
@@ -36,7 +36,7 @@ std::vector<Parameter> pestRows() {
                                      .meaning = QT_TRANSLATE_NOOP(
                                          "Procedures", "How many answers more or fewer than expected end a "
                                                        "level: larger values take longer and are surer."),
-                                     .sensible = SensibleRange{0.1, 10, 1},
+                                     .usual = UsualValue{1},
                                      .field = FieldRange{0.1, 10, 2, 0.1}}),
         rowOf(&Spec::step,
               {.key = "step",

@@ -178,14 +178,15 @@ NamedEstimate PosteriorGrid::estimate(std::size_t k) const {
         kAtGridEdge * std::max_element(bars.begin(), bars.end(), [](const auto& a, const auto& b) {
                           return a.second < b.second;
                       })->second;
-    const bool low = bars.size() > 2 && bars.front().second >= least,
-               high = bars.size() > 2 && bars.back().second >= least;
-    const int edge = low && high ? (bars.front().second > bars.back().second ? -1 : 1)
-                     : low       ? -1
-                     : high      ? 1
-                                 : 0;
-    return {m_parameters[k].name, mean, std::sqrt(variance), quantile(bars, 0.025), quantile(bars, 0.975),
-            value(k, mode()),     edge};
+    const bool wide = bars.size() > 2;
+    return {m_parameters[k].name,
+            mean,
+            std::sqrt(variance),
+            quantile(bars, 0.025),
+            quantile(bars, 0.975),
+            value(k, mode()),
+            wide && bars.front().second >= least,
+            wide && bars.back().second >= least};
 }
 
 double PosteriorGrid::entropy() const {

@@ -29,9 +29,9 @@ struct NamedEstimate {
     double low = 0.0; ///< of the central 95 % interval; NaN if there is none
     double high = 0.0;
     double mode = std::numeric_limits<double>::quiet_NaN(); ///< of the joint posterior, if there is one
-    /// −1, +1: the lower or upper end of the grid cuts off the posterior (its density there is at least 0.147
-    /// of the largest).
-    int edge = 0;
+    /// The lower or the upper end of the grid cuts off the posterior (its density there is at least
+    /// kAtGridEdge of the largest).
+    bool cutBelow = false, cutAbove = false;
 };
 
 /// A procedure's estimate from its trials so far.
@@ -46,7 +46,8 @@ struct ProcedureEstimate {
 /// value lies: the bound of the 95 % likelihood region of one parameter, exp(−3.84/2).
 inline constexpr double kAtGridEdge = 0.147;
 
-/// Adds grid_edge for those of the first `most` parameters whose estimate lies at the end of their grid.
+/// Adds grid_edge for those of the first `most` parameters whose posterior an end of their grid, or both, cut
+/// off.
 void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most);
 
 /// One adaptive (or fixed) procedure, which alternately chooses a stimulus and takes an outcome.

@@ -264,8 +264,8 @@ ProcedureEstimate Quest::estimate() const {
     const auto [low, high] =
         estimate.known ? intervalWithOpenSlope() : std::pair(quantile(0.025), quantile(0.975));
     const double least = kAtGridEdge * *std::max_element(m_pdf.begin(), m_pdf.end());
-    const int edge = m_pdf.front() >= least ? -1 : m_pdf.back() >= least ? 1 : 0;
-    estimate.parameters = {{"threshold", mean(), sd(), low, high, mode(), edge}};
+    estimate.parameters = {
+        {"threshold", mean(), sd(), low, high, mode(), m_pdf.front() >= least, m_pdf.back() >= least}};
     if (!estimate.known)
         return estimate;
     warnOfGridEdges(estimate, 1);

@@ -39,7 +39,7 @@ std::vector<Parameter> questRows() {
                               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers aimed at"),
                               .meaning = QT_TRANSLATE_NOOP(
                                   "Procedures", "The threshold is where so many answers are right."),
-                              .sensible = SensibleRange{0, 100, 82}}),
+                              .usual = UsualValue{82}}),
         rowOf(&Spec::slope,
               {.key = "slope",
                .unit = "1/x",
@@ -49,7 +49,7 @@ std::vector<Parameter> questRows() {
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures",
                    "How steeply right answers grow with the difference; it is assumed, not measured."),
-               .sensible = SensibleRange{0.1, 50, 3.5},
+               .usual = UsualValue{3.5},
                .field = FieldRange{0.1, 50, 2, 0.1}}),
         rowOf(&Spec::lapse, {.key = "lapse",
                              .quantity = Quantity::share,
@@ -58,7 +58,7 @@ std::vector<Parameter> questRows() {
                              .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
                              .meaning = QT_TRANSLATE_NOOP(
                                  "Procedures", "Answers that are wrong although the difference is felt."),
-                             .sensible = SensibleRange{0, 100, 1}}),
+                             .usual = UsualValue{1}}),
         rowOf(
             &Spec::guess,
             {.key = "guess",
@@ -68,7 +68,7 @@ std::vector<Parameter> questRows() {
              .title = QT_TRANSLATE_NOOP("Procedures", "Right by guessing"),
              .meaning = QT_TRANSLATE_NOOP(
                  "Procedures", "Answers that are right without feeling anything: 50 % of two alternatives."),
-             .sensible = SensibleRange{0, 100}}),
+             .usual = UsualValue{}}),
         rowOf(&Spec::method,
               {.key = "method",
                .words = {{"quantile", QT_TRANSLATE_NOOP("Procedures", "Quantile")},

@@ -96,7 +96,7 @@ std::vector<Parameter> questPlusRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "A difference is shown at most so often in succession; 0: no limit."),
-               .sensible = SensibleRange{0, 1000, 4}}),
+               .usual = UsualValue{4}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",
                .quantity = Quantity::share,
@@ -106,7 +106,7 @@ std::vector<Parameter> questPlusRows() {
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures",
                    "Share of trials at the largest difference, which show whether a participant attends."),
-               .sensible = SensibleRange{0, 100, 0}})};
+               .usual = UsualValue{0}})};
     addStopRows<Spec>(rows, {.precision = true});
     std::vector<Parameter> rest{
         rowOf(&Spec::parameters,

@@ -27,7 +27,7 @@ std::vector<Parameter> rank3Rows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "A difference is shown at most so often in succession; 0: no limit."),
-               .sensible = SensibleRange{0, 1000, 4}})};
+               .usual = UsualValue{4}})};
     // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
     std::vector<Parameter> rest{

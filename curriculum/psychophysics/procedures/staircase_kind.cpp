@@ -55,7 +55,7 @@ std::vector<Parameter> staircaseRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Right answers for a step down"),
                .meaning = QT_TRANSLATE_NOOP("Procedures", "So many right answers in succession make the next "
                                                           "trial harder; 3 converge at about 80 % right."),
-               .sensible = SensibleRange{1, 10, 3}}),
+               .usual = UsualValue{3}}),
         rowOf(&Spec::up,
               {.key = "up",
                .minimum = 1,
@@ -64,7 +64,7 @@ std::vector<Parameter> staircaseRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Wrong answers for a step up"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "So many wrong answers in succession make the next trial easier."),
-               .sensible = SensibleRange{1, 10, 1}}),
+               .usual = UsualValue{1}}),
         rowOf(&Spec::stepRatio,
               {.key = "step_ratio",
                .quantity = Quantity::share,
@@ -86,7 +86,7 @@ std::vector<Parameter> staircaseRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Reversals averaged"),
                .meaning = QT_TRANSLATE_NOOP("Procedures", "The staircase's own estimate is the mean of so "
                                                           "many last reversals; the fit uses all trials."),
-               .sensible = SensibleRange{2, 100, 6}})};
+               .usual = UsualValue{6}})};
     addStopRows<Spec>(rows, {.reversals = true, .reversalsAndTrials = true, .asksReversals = true});
     std::vector<Parameter> rest{
         rowOf(&Spec::stepsUp,

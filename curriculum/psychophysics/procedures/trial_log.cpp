@@ -21,8 +21,7 @@ core::Result<void> LoggedProcedure::record(int outcome, const Stimulus& presente
         if (!std::isfinite(x))
             return fail(ErrorCode::badInput, "stimulus that is not finite: expected finite numbers");
     RecordedTrial trial{outcome, presented};
-    if (auto taken = take(trial); !taken)
-        return taken;
+    CHIRON_TRY(take(trial));
     m_log.push_back(std::move(trial));
     return {};
 }
@@ -33,8 +32,7 @@ core::Result<void> LoggedProcedure::undo() {
     m_log.pop_back();
     restart();
     for (const RecordedTrial& trial : m_log)
-        if (auto taken = take(trial); !taken)
-            return taken;
+        CHIRON_TRY(take(trial));
     return {};
 }
 
@@ -50,11 +48,15 @@ bool stopped(const StopRule& rule, int trials, int reversals, std::optional<doub
 }
 
 void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most) {
-    for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k)
-        if (const NamedEstimate& each = estimate.parameters[k]; each.edge != 0)
-            estimate.warnings.push_back("grid_edge: answers do not tell how " +
-                                        std::string(each.edge < 0 ? "small" : "large") + " " + each.name +
-                                        " is: its estimate and interval end with the procedure's grid");
+    for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k) {
+        const NamedEstimate& each = estimate.parameters[k];
+        if (!each.cutBelow && !each.cutAbove)
+            continue;
+        const char* how = !each.cutAbove ? "small" : !each.cutBelow ? "large" : "small or how large";
+        estimate.warnings.push_back("grid_edge: answers do not tell how " + std::string(how) + " " +
+                                    each.name +
+                                    " is: its estimate and interval end with the procedure's grid");
+    }
 }
 
 } // namespace chiron::psychophysics

@@ -11,7 +11,8 @@
 
 namespace chiron::scoring {
 
-/// The changes in a new version of a metric. Everything else, including its texts, stays the same.
+/// The changes in a new version of a metric. Everything else, including its texts, stays the same; a
+/// published band does not: it belongs to the version that measures what the publication did.
 struct NextVersion {
     std::optional<Direction> direction{};
     std::optional<MetricWrench> wrench{};
@@ -19,6 +20,7 @@ struct NextVersion {
     std::optional<bool> needsForces{};
     std::string_view definition;
     std::optional<std::string_view> source{};
+    std::optional<PublishedBand> published{};
     Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;
 };
 
@@ -36,6 +38,7 @@ public:
         metric.needsForces = change.needsForces.value_or(metric.needsForces);
         metric.definition = change.definition;
         metric.source = change.source.value_or(metric.source);
+        metric.published = change.published;
         metric.measure = change.measure;
         m_rows.push_back(std::move(metric));
     }

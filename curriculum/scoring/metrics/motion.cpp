@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/laparoscopy_cues.h"
-#include "core/procedure_stage.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
+#include "cues/procedure_stage.h"
 #include "scoring/median.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"

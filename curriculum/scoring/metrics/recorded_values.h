@@ -3,7 +3,6 @@
 
 #include "scoring/prepared_trial.h"
 
-#include <optional>
 #include <string_view>
 
 namespace chiron::scoring {
@@ -17,14 +16,6 @@ inline const QuantityTrace* quantityOf(const PreparedTrial& trial, std::string_v
         if (quantity.id == id && quantity.values.size() == trial.tool->t_s.size())
             return &quantity;
     return nullptr;
-}
-
-/// Returns a ground-truth value of a trial by its name.
-inline std::optional<double> truthOf(const PreparedTrial& trial, std::string_view id) {
-    for (const NamedValue& value : trial.trial->truth)
-        if (value.id == id)
-            return value.value;
-    return std::nullopt;
 }
 
 } // namespace chiron::scoring

@@ -26,6 +26,11 @@ struct AxisDescriptor {
     double viscousFriction = 0.0; ///< the same, N·s/m or N·m·s/rad
 };
 
+/// Largest share of the Coulomb friction that may be fed forward, because friction that was identified within
+/// 1 % (mechanisms/friction_identification.h) changes by a tenth and more with temperature, load and wear,
+/// and overcompensation moves the tool by itself.
+inline constexpr double kMostFrictionCompensation = 0.8;
+
 /// How the scores of devices are grouped: force that can be felt is never compared with force that is only
 /// shown.
 enum class DeviceClass { felt, shown };
@@ -49,8 +54,8 @@ struct DeviceDescriptor {
     /// viscosity, contact damping and injected damping added up. Measured, with margin
     /// (tests/damping/README.md).
     double maximumDamping_Ns_per_m = 50.0;
-    /// Share of the axes' Coulomb friction that is fed forward, 0..1; 0 = off
-    /// (haptics/friction_compensation.h).
+    /// Share of the axes' Coulomb friction that is fed forward, 0..kMostFrictionCompensation; 0 = off. The
+    /// loop uses no more than that (haptics/friction_compensation.h).
     double frictionCompensation = 0.0;
     /// As the driver reads it from the device (for a HID device, the string in its descriptor); empty if the
     /// device reports none, as simulated ones do.

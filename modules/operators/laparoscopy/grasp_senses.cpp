@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/laparoscopy/grasp_senses.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
 #include "core/random.h"
+#include "cues/laparoscopy_cues.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand_strategy.h"
 #include "mechanisms/markov_noise.h"

@@ -41,8 +41,7 @@ core::Result<void> check(const SpringNetworkParameters& p) {
                   {"deepest_m", p.deepest_m, 0.001, 0.030},
                   {"step_s", p.step_s, 0.010, 0.050}};
     for (const auto& range : ranges)
-        if (auto ok = checkRange(range.key, range.value, range.low, range.high); !ok)
-            return ok;
+        CHIRON_TRY(checkRange(range.key, range.value, range.low, range.high));
     return {};
 }
 

@@ -10,6 +10,11 @@
 
 namespace chiron::simulation {
 
+/// Depth below the rest surface down to which a contact has been checked, on planes, balls and meshes
+/// (models.md §2.2; test_object_contact, test_mesh_contact). A scene flags deeper samples as
+/// core::contact_bits say.
+inline constexpr double kCheckedContactDepth_m = 0.006;
+
 /// Where a tool is relative to the rest surface of an object, as computed from the object's geometry: sphere,
 /// plane or mesh. Axes are those of W. If the object moves, positions and velocities are relative to it (p_WT
 /// − p_WO), so that everything fixed to the object moves with it.

@@ -88,6 +88,11 @@ struct TissueParameters {
     LumpLaw lumps = LumpLaw::inclusion;
     double secondStiffness_N_per_m = 1200.0; ///< of a lump's own surface, for LumpLaw::secondSurface
     std::vector<StiffRegion> regions;        ///< 0..kMaxRegions: distractors
+
+    /// Says whether its elastic force has a potential: two of the published variants have none.
+    bool conservative() const noexcept {
+        return contact != TissueContactLaw::p3Recast && lumps != LumpLaw::stiffnessTimesDepth;
+    }
 };
 
 } // namespace chiron::simulation

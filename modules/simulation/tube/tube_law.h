@@ -11,10 +11,9 @@ namespace chiron::simulation {
 /// elasticity, zero when slack:
 ///   T(x) = k x,  or with strain stiffening  T(x) = (k/b)(e^{bx} − 1);  U(x) = ∫₀ˣ T
 /// Beyond `limit_m` (where the tube tears) the tension keeps its value, so that nothing overflows when a hand
-/// moves far away during a pause. T and U are continuous, and so is T′ except at 0 and at the limit. Pure.
-/// Source: P2 "Elastic Tube Model"; models.md §2.2, §2.4.
-/// Unit: N, J, N/m.
-/// Thread: any.
+/// moves far away during a pause. The law has been checked up to there (models.md §2.4). T and U are
+/// continuous, and so is T′ except at 0 and at the limit. Pure. Source: P2 "Elastic Tube Model"; models.md
+/// §2.2, §2.4. Unit: N, J, N/m. Thread: any.
 struct TubeLaw {
     ElasticLaw elastic{100.0, 0.0};
     double viscosity_Ns_per_m = 0.0; ///< ≥ 0, along the tube, for its whole length

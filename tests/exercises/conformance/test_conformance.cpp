@@ -513,8 +513,14 @@ void TestConformance::everyTrialHasItsTruth() {
         for (const scoring::NamedValue& value : trial.truth)
             QCOMPARE(json.object().value(QString::fromStdString(value.id)).toDouble(NAN), value.value);
     }
-    QVERIFY(
-        !surfaces->object(static_cast<int>(trials.size()))); // nothing is told of a trial that is not planned
+    const int planned = static_cast<int>(trials.size());
+    QVERIFY(!surfaces->object(planned)); // nothing is told of a trial that is not planned
+    for (const int number : {-1, planned}) {
+        scoring::TrialTrace beyond;
+        beyond.trial = number;
+        kind().addTruth(stored.view->setup().level, stored.view->setup().seed, beyond);
+        QVERIFY2(beyond.truth.empty() && !beyond.apex, qPrintable(QString::number(number)));
+    }
 }
 
 void TestConformance::metricsAreDefinedOrSayWhyNot() {
@@ -724,7 +730,7 @@ void TestConformance::isPrinted(database::SessionId id, const std::string& langu
     const QString file = QDir(m_site->folder()).filePath(QStringLiteral("report.pdf"));
     const auto written = report::writeSessionPdf(file, data, report::lightTheme(m_site->context.locale()));
     QVERIFY2(written, written ? "" : written.error().message.c_str());
-    const QString text = tests::textOfPdf(file).simplified();
+    const QString text = tests::pdfText(file).simplified();
     QVERIFY2(text.contains(title), qPrintable(title));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hands.h"
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include "desktop/accounts/notice_area.h"
@@ -300,8 +301,8 @@ void TestAccount::fitsAtEveryScale_data() {
     QTest::addColumn<double>("scale");
     QTest::addColumn<QString>("language");
     QTest::newRow("100 %") << 1.0 << "en";
-    QTest::newRow("200 % German") << 2.0 << "de";
-    QTest::newRow("200 % Greek") << 2.0 << "el";
+    for (const char* language : tests::otherLanguages())
+        QTest::addRow("200 %% %s", language) << 2.0 << language;
 }
 
 void TestAccount::fitsAtEveryScale() {

@@ -75,6 +75,8 @@ private slots:
     void demonstrationOpensWithItsHint();
     void fitsAtEveryScale_data();
     void fitsAtEveryScale();
+    void theButtonOfAFormIsInSight_data();
+    void theButtonOfAFormIsInSight();
 
 private:
     void fillForm(const QString& name);
@@ -281,6 +283,44 @@ void TestFirstStart::fitsAtEveryScale() {
     QTest::qWait(50);
     VERIFY_READABLE(station.window->screen());
     picture(station.window.get(), QStringLiteral("first_start_form_%1").arg(scale));
+}
+
+void TestFirstStart::theButtonOfAFormIsInSight_data() {
+    QTest::addColumn<double>("scale");
+    QTest::newRow("100 %") << 1.0;
+    QTest::newRow("200 %") << 2.0;
+}
+
+/// In the smallest window, without scrolling.
+void TestFirstStart::theButtonOfAFormIsInSight() {
+    QFETCH(double, scale);
+    EmptyStation station;
+    station.settings.setScale(scale);
+    station.context.applyAppearance();
+    station.window->resize(1280, 720);
+    station.show("first_start");
+    const auto inSight = [&](const char* name) {
+        const auto* button = station.find<QPushButton>(name);
+        return button && button->isVisible() && button->visibleRegion().boundingRect() == button->rect();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("first_start.set_up"), kPatience_ms);
+    press(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(inSight("first_start.create") && inSight("first_start.back"), kPatience_ms);
+    QCOMPARE(station.window->size(), QSize(1280, 720));
+    // Tab comes to it after the fields.
+    QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
+    press(Qt::Key_Tab);
+    QCOMPARE(focusName(), QStringLiteral("first_start.show"));
+    press(Qt::Key_Tab);
+    QCOMPARE(focusName(), QStringLiteral("first_start.back"));
+    station.find<QLineEdit>("first_start.name")->setFocus();
+    fillForm(QStringLiteral("ada"));
+    QTRY_VERIFY_WITH_TIMEOUT(inSight("recovery.continue"), kPatience_ms);
+    settle();
+    QVERIFY(!station.find<QPushButton>("first_start.create")); // its form is gone
+    station.find<QCheckBox>("recovery.written")->click();
+    station.find<QPushButton>("recovery.continue")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(station.context.loggedIn(), kPatience_ms);
 }
 
 QTEST_MAIN(TestFirstStart)

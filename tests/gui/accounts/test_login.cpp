@@ -30,6 +30,8 @@ private slots:
     void failedSiteCanBeTriedAgain();
     void fitsAtEveryScale_data();
     void fitsAtEveryScale();
+    void theButtonOfAFormIsInSight_data();
+    void theButtonOfAFormIsInSight();
 
 private:
     static void openLogin(DesktopFixture& desktop);
@@ -274,6 +276,36 @@ void TestLogin::fitsAtEveryScale() {
     QTest::qWait(50);
     VERIFY_READABLE(desktop.window->screen());
     picture(desktop.window.get(), QStringLiteral("login_recovery_%1").arg(scale));
+}
+
+void TestLogin::theButtonOfAFormIsInSight_data() {
+    QTest::addColumn<double>("scale");
+    QTest::newRow("100 %") << 1.0;
+    QTest::newRow("200 %") << 2.0;
+}
+
+/// In the smallest window, without scrolling; and gone with its form.
+void TestLogin::theButtonOfAFormIsInSight() {
+    QFETCH(double, scale);
+    DesktopFixture desktop;
+    desktop.settings.setScale(scale);
+    desktop.window->resize(1280, 720);
+    desktop.context.applyAppearance();
+    database::AccountService accounts(desktop.database());
+    QVERIFY(accounts.resetPassword(desktop.actor("ada"), desktop.actor("tina").personId(), "given-by-ada-1")
+                .has_value());
+    openLogin(desktop);
+    const auto inSight = [&](const char* name) {
+        const auto* button = desktop.find<QPushButton>(QLatin1String(name));
+        return button && button->isVisible() && button->visibleRegion().boundingRect() == button->rect();
+    };
+    desktop.find<QPushButton>(QStringLiteral("login.forgotten"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(inSight("recovery.save") && inSight("recovery.back"), kPatience_ms);
+    desktop.find<QPushButton>(QStringLiteral("recovery.back"))->click();
+    settle();
+    QVERIFY(!desktop.find<QPushButton>(QStringLiteral("recovery.save")));
+    tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("given-by-ada-1"));
+    QTRY_VERIFY_WITH_TIMEOUT(inSight("change.save") && inSight("change.back"), kPatience_ms);
 }
 
 /// "Nobody of this name" is said only if the list has names: an empty list may just not have been read yet.

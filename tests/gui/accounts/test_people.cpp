@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "people_hands.h"
 
+#include "core/languages.h"
+#include "database/access/access_table.h"
 #include "database/privacy/erasure.h"
 #include "database/repositories/session_reader.h"
 #include "database/repositories/site_repository.h"
 #include "database/write_context.h"
+#include "desktop/people/role_choice.h"
 #include "desktop/people/slips_panel.h"
 #include "support/made_study.h"
 #include "support/patience.h"
@@ -30,6 +33,7 @@ private slots:
     void addByKeyboardAndHandThePasswordOver();
     void findByTyping();
     void changeRoles();
+    void rolesSayWhoDoesStudies();
     void disableAndUndo();
     void resetWithATypedPassword();
     void exportHoldsThePerson();
@@ -130,6 +134,27 @@ void TestPeople::changeRoles() {
     desk.click("roles.accept");
     QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"), kPatience_ms);
     QVERIFY(desk.actor("tina").roles() == database::RoleSet{database::Role::trainer});
+}
+
+/// As the access table has it: a role's description names studies where the role may begin or run them.
+void TestPeople::rolesSayWhoDoesStudies() {
+    using namespace database;
+    const auto theme = desktop::Theme::load(desktop::ThemeName::light, 1.0);
+    QVERIFY(theme.has_value());
+    const desktop::RoleChoice choice(*theme, QStringLiteral("roles"), {});
+    for (const Role role : kAllRoles) {
+        const auto may = [role](Action action) {
+            return scopeOf(action, ActorKind::person, RoleSet{role}) != Scope::none;
+        };
+        const std::string name(token(role));
+        const auto* box =
+            choice.findChild<QCheckBox*>(QStringLiteral("roles.") + QString::fromStdString(name));
+        QVERIFY2(box, name.c_str());
+        const QString said = box->accessibleDescription();
+        QCOMPARE(said.contains(QStringLiteral("esign")) && said.contains(QStringLiteral("studies")),
+                 may(Action::createStudy));
+        QCOMPARE(said.contains(QStringLiteral("run")), may(Action::conductRun));
+    }
 }
 
 void TestPeople::disableAndUndo() {
@@ -647,9 +672,12 @@ void TestPeople::otherFilesAreNamed() {
 void TestPeople::templateCanBeImported_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<char>("separator");
-    QTest::newRow("English") << "en" << ',';
-    QTest::newRow("German") << "de" << ';';
-    QTest::newRow("Greek") << "el" << ';';
+    for (const core::Language& language : core::kLanguages) {
+        const QString id = QString::fromStdString(std::string(language.id));
+        const QLocale locale(QString::fromStdString(std::string(language.locale)));
+        // As spreadsheets of that language save lists.
+        QTest::newRow(qPrintable(id)) << id << (locale.decimalPoint() == QLatin1String(",") ? ';' : ',');
+    }
 }
 
 void TestPeople::templateCanBeImported() {

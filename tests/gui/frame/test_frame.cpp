@@ -25,6 +25,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
@@ -218,12 +219,12 @@ private slots:
             Settings(file).setScale(given);
             QCOMPARE(Settings(file).scale(), taken);
         }
-        for (const auto& [language, territory] :
-             {std::pair{"de", QLocale::Germany}, {"el", QLocale::Greece}, {"en", QLocale::UnitedKingdom}}) {
-            Settings(file).setLanguage(QLatin1String(language));
-            QCOMPARE(Settings(file).language(), QLatin1String(language));
-            QCOMPARE(Settings::localeOf(Settings(file).language()).territory(), territory);
-            QCOMPARE(Settings::localeOf(Settings(file).language()).name().left(2), QLatin1String(language));
+        for (const core::Language& language : core::kLanguages) {
+            const QString id = QString::fromStdString(std::string(language.id));
+            Settings(file).setLanguage(id);
+            QCOMPARE(Settings(file).language(), id);
+            QCOMPARE(Settings::localeOf(Settings(file).language()).name().toStdString(),
+                     std::string(language.locale));
         }
     }
 
@@ -420,6 +421,27 @@ private slots:
         };
         QVERIFY(!says()); // short work does not flicker
         QTRY_VERIFY_WITH_TIMEOUT(says(), kPatience_ms);
+    }
+
+    /// The bar fills if the work tells how far it is; otherwise it has no end and only moves.
+    void workOfUnknownLengthIsShownAsBusy() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        StatePanel counted(theme), uncounted(theme);
+        const auto token = std::make_shared<WorkToken>();
+        token->setProgress(40, 100);
+        counted.showLoading(QStringLiteral("Reading …"), token);
+        uncounted.showLoading(QStringLiteral("Reading …"), nullptr);
+        counted.show();
+        uncounted.show();
+        const auto shown = [](const StatePanel& panel) {
+            const auto* bar = panel.findChild<QProgressBar*>();
+            return bar && bar->isVisible() ? bar : nullptr;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(shown(counted) && shown(uncounted), kPatience_ms);
+        const QProgressBar& fills = *shown(counted);
+        QVERIFY(fills.minimum() == 0 && fills.maximum() == 100 && fills.value() == 40);
+        const QProgressBar& moves = *shown(uncounted);
+        QVERIFY(moves.minimum() == 0 && moves.maximum() == 0);
     }
 
     /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else

@@ -37,6 +37,7 @@
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "support/kept_text.h"
+#include "support/languages.h"
 
 #include <QtTest>
 
@@ -301,7 +302,7 @@ private slots:
         for (const char* utc : {"2026-11-19T23:30:00.000Z", "not a time", ""})
             say({moment(utc, m_locale)});
         say({shortSha("0123456789abcdef0123456789abcdef"), shortSha("01")});
-        for (const char* language : {"en", "de", "el"})
+        for (const char* language : tests::languageIds())
             say({text({{"en", "a stone"}, {"de", "ein Stein"}}, QLatin1String(language)),
                  text({}, QLatin1String(language))});
         say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale),
@@ -435,12 +436,17 @@ private slots:
     void training() {
         for (const char* name : {"expert", "intermediate", "novice", "hesitant", "unsafe", "somebody"})
             say({operatorTitle(name)});
-        for (const char* exercise : {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling",
-                                     "palpation", "of_another"})
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(catalogue);
+        QStringList exercises;
+        for (const catalogue::Exercise& exercise : catalogue->exercises())
+            exercises << QString::fromStdString(exercise.id);
+        exercises << QStringLiteral("of_another");
+        for (const QString& exercise : exercises)
             for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator,
                                                  devices::MovedBy::recording}) {
                 TrainingPlan plan;
-                plan.exercise = QLatin1String(exercise);
+                plan.exercise = exercise;
                 plan.driver = &devices::usualDriver(mover);
                 plan.operatorName = QStringLiteral("novice");
                 plan.traceFile = QStringLiteral("/a/folder/hand.csv");

@@ -14,6 +14,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 #include "support/paint_outline.h"
 #include "support/patience.h"
 #include "support/pdf_text.h"
@@ -223,9 +224,9 @@ private slots:
 
     /// What a small window has no room for goes whole, and what matters stays.
     void nothingIsCutInASmallWindow() {
-        for (const QString& language : {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}) {
+        for (const char* language : tests::languageIds()) {
             DesktopFixture desktop;
-            desktop.context.settings().setLanguage(language);
+            desktop.context.settings().setLanguage(QLatin1String(language));
             desktop.context.applyAppearance();
             tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 30);
             desktop.window->resize(1280, 720);
@@ -712,7 +713,7 @@ private slots:
         QVERIFY(screen->writeLoopRecord(path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
-        const QString filed = tests::textOfPdf(path); // by whom: by their full name
+        const QString filed = tests::pdfText(path); // by whom: by their full name
         QVERIFY2(filed.contains(QStringLiteral("Rhea Research")), qPrintable(filed));
         QVERIFY(!screen->writeLoopRecord(QStringLiteral("/no/such/folder/x.pdf")));
         auto connection = desktop.database().openReader();

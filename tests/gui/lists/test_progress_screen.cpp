@@ -6,6 +6,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QComboBox>
@@ -105,7 +106,7 @@ private slots:
     /// In the smallest window that the program is made for, no exercise is out of sight.
     void everyExerciseIsSeenAtOnce_data() {
         QTest::addColumn<QString>("language");
-        for (const char* language : {"en", "de", "el"})
+        for (const char* language : tests::languageIds())
             QTest::newRow(language) << QString::fromLatin1(language);
     }
 

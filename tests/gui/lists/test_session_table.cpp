@@ -90,7 +90,7 @@ private slots:
         database::SessionSummary session;
         session.id = 3;
         session.level = 1;
-        session.exercise = SessionWords::kComparison;
+        session.exercise = "comparison";
         const SessionRow study = makeSessionRow(session, kTitles);
         SessionListFilter filter;
         QVERIFY(SessionMatcher(filter).matches(study));

@@ -5,6 +5,7 @@
 #include "desktop/theme/theme_colour.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/desktop_fixture.h"
+#include "support/languages.h"
 #include "support/made_session.h"
 #include "support/settled.h"
 
@@ -68,7 +69,7 @@ inline bool isLoaded(DesktopFixture& site) {
 /// each change.
 template <class Show> QStringList findingsOn(DesktopFixture& site, Show show) {
     QStringList findings;
-    for (const char* language : {"de", "el", "en"}) {
+    for (const char* language : tests::languagesEnglishLast()) {
         for (const double scale : {2.0, 1.0}) {
             site.settings.setLanguage(QLatin1String(language));
             site.settings.setScale(scale);

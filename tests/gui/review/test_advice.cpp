@@ -139,6 +139,8 @@ private slots:
         track.marks = {markAt(14.0, 1, PlaybackMarkKind::slipped), markAt(15.0, 1, PlaybackMarkKind::failed)};
         QCOMPARE(told(track, "drops", missed("drops", "count")),
                  QStringLiteral("You first lost your hold in trial 2, 0:04.0 after it began."));
+        QCOMPARE(told(track, "procedure_completed", missed("procedure_completed", "%")), // where it tore
+                 QStringLiteral("You did not finish, for example in trial 2, 0:05.0 after it began."));
         QCOMPARE(
             told(track, "tension_error_rms", missed("tension_error_rms", "N", {0.31, 0.2})),
             QStringLiteral("The pull was farthest from its target in trial 1: 0.310 N (root mean square)."));

@@ -10,6 +10,9 @@
 #include "report/report_writer.h"
 #include "report/session_plots.h"
 #include "review_sessions.h"
+#include "session/session_view.h"
+#include "session/station.h"
+#include "support/languages.h"
 #include "support/patience.h"
 #include "support/pdf_text.h"
 
@@ -34,7 +37,19 @@ using tests::MadeSession;
 
 namespace {
 
-enum class Ending { completed, stopped, timedOut, nothing };
+/// `unmarked`: completed by nobody: every trial ran out of time under a hand that did nothing. `nothing`: the
+/// person stopped before there was a trial.
+enum class Ending { completed, stopped, timedOut, unmarked, nothing };
+
+bool isLate(Ending ending) {
+    return ending == Ending::timedOut || ending == Ending::unmarked;
+}
+
+/// Whether there is something that the plots of this exercise can show: an answer on a sphere is a finished
+/// trial's; what was begun of the others is shown.
+bool hasPlots(const std::string& exercise, Ending ending) {
+    return ending != Ending::nothing && !(ending == Ending::stopped && exercise == "sphere_apex");
+}
 
 /// A text of the program, as it is before it is translated.
 struct Said {
@@ -46,11 +61,12 @@ struct Said {
     }
 };
 
-/// What only one exercise talks about, as a pattern a language; what only its debrief draws; what is said of
-/// a trial that time ended.
+/// What only one exercise talks about, as a pattern a language; what only its debrief draws; the titles of
+/// what is drawn on paper; what is said of a trial that time ended.
 struct Own {
     std::map<QString, QString> words;
     QStringList plots;
+    std::vector<Said> paper;
     Said lateInDebrief; ///< empty: the debrief's plots show how it went, and its metrics say that it was not
                         ///< completed
     Said lateInPlayback;
@@ -67,6 +83,8 @@ Own ownOf(const QJsonObject& json) {
         own.words[language] = words[language].toString();
     for (const QJsonValue& plot : json["plots"].toArray())
         own.plots << plot.toString();
+    for (const QJsonValue& title : json["paper"].toArray())
+        own.paper.push_back(saidIn(title.toArray()));
     const QJsonObject late = json["time_was_up"].toObject();
     own.lateInDebrief = saidIn(late["debrief"].toArray());
     own.lateInPlayback = saidIn(late["playback"].toArray());
@@ -169,10 +187,6 @@ bool isSaid(const QStringList& texts, const QString& words) {
     return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return text.contains(words); });
 }
 
-QStringList linesOf(const QString& pdf) {
-    return tests::textOfPdf(pdf).split(QLatin1Char('\n'));
-}
-
 } // namespace
 
 class TestEveryDebrief : public QObject {
@@ -187,13 +201,17 @@ private slots:
 private:
     MadeSession scripted(const std::string& exercise, int level, std::optional<double> limit_s,
                          const std::string& operatorName = "expert");
+    MadeSession untouched(const std::string& exercise, int level, double limit_s);
+    MadeSession made(session::TrainingRequest request, core::Result<session::Station> station);
+    MadeSession madeFor(const std::string& exercise, int level, Ending ending);
     report::ReportData reportOf(database::SessionId id, const std::string& exercise, const QString& language);
     QString print(const report::ReportData& data, const QString& name);
     void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
     void playback(database::SessionId id, const std::string& exercise, Ending ending,
                   const QString& language);
+    void isUnmarked(database::SessionId id);
     void results(const std::string& exercise, int level, const QString& language);
-    void paper(database::SessionId id, const std::string& exercise, const QString& language);
+    void paper(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
     QWidget* screen() { return m_site->window->screen(); }
 
     std::unique_ptr<DesktopFixture> m_site;
@@ -217,7 +235,8 @@ void TestEveryDebrief::speaksOfItsOwnExercise_data() {
     const std::pair<Ending, const char*> endings[] = {{Ending::completed, "completed"},
                                                       {Ending::stopped, "stopped"},
                                                       {Ending::timedOut, "timed out"},
-                                                      {Ending::nothing, "nothing marked"}};
+                                                      {Ending::unmarked, "nothing marked"},
+                                                      {Ending::nothing, "stopped at once"}};
     int known = 0;
     for (const catalogue::Exercise& exercise : m_site->context.site().catalogue().exercises()) {
         known += owners().count(exercise.id) > 0 ? 1 : 0;
@@ -238,11 +257,25 @@ MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, s
     session::TrainingRequest request;
     request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
     request.seed = 11;
-    request.ringFolder = recording::defaultRingFolder();
     auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, operatorName,
                                             request.seed);
+    return made(std::move(request), std::move(station));
+}
+
+/// Whoever began it left the mouse alone until it was over.
+MadeSession TestEveryDebrief::untouched(const std::string& exercise, int level, double limit_s) {
+    session::TrainingRequest request;
+    request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
+    auto station = session::keyboardMouseStation({}, **session::exerciseKind(exercise), request.level);
+    if (station)
+        station->operatorName = "nobody"; // the account that records it has no hand of its own
+    return made(std::move(request), std::move(station));
+}
+
+MadeSession TestEveryDebrief::made(session::TrainingRequest request, core::Result<session::Station> station) {
     if (!station)
         qFatal("%s", station.error().message.c_str());
+    request.ringFolder = recording::defaultRingFolder();
     request.station = std::move(*station);
     auto result = session::runTraining(m_site->database(), database::Actor::simulated(), std::move(request));
     if (!result)
@@ -252,18 +285,28 @@ MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, s
     return made;
 }
 
+/// Made once for all endings that need it.
+MadeSession TestEveryDebrief::madeFor(const std::string& exercise, int level, Ending ending) {
+    constexpr double kShort_s = 4.0;
+    const char* kind = ending == Ending::completed  ? ""
+                       : ending == Ending::unmarked ? " untouched"
+                                                    : " short";
+    const std::string key = exercise + std::to_string(level) + kind;
+    if (m_done.count(key) == 0)
+        m_done.emplace(key, ending == Ending::unmarked
+                                ? untouched(exercise, level, kShort_s)
+                                : scripted(exercise, level,
+                                           ending == Ending::completed ? std::optional<double>() : kShort_s));
+    return m_done.at(key);
+}
+
 void TestEveryDebrief::speaksOfItsOwnExercise() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
     QFETCH(int, ending);
     const std::string id = exercise.toStdString();
     const auto wanted = static_cast<Ending>(ending);
-    constexpr double kShort_s = 4.0;
-    const std::string key = id + std::to_string(level) + (wanted == Ending::completed ? "" : " short");
-    if (m_done.count(key) == 0)
-        m_done.emplace(key,
-                       scripted(id, level, wanted == Ending::completed ? std::optional<double>() : kShort_s));
-    MadeSession made = m_done.at(key);
+    MadeSession made = madeFor(id, level, wanted);
     if (wanted == Ending::stopped)
         tests::cutFrames(made.frames, made.frames.size() * 2 / 3, core::CommandKind::end);
     if (wanted == Ending::nothing)
@@ -275,8 +318,12 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
                     (frame.header.events & ~core::event_bits::kMarked) | core::event_bits::kTimedOut;
     made.ending.stopped = wanted == Ending::stopped || wanted == Ending::nothing;
     const database::SessionId session = tests::store(m_site->database(), *m_tina, made);
+    if (wanted == Ending::unmarked)
+        isUnmarked(session);
     // One language a row, by turns; all of them where all levels are walked.
-    QStringList languages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
+    QStringList languages;
+    for (const char* language : tests::languageIds())
+        languages << QLatin1String(language);
     if (qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") == 0)
         languages = {languages[m_row++ % languages.size()]};
     for (const QString& language : languages) {
@@ -285,7 +332,7 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
         debrief(session, id, wanted, language);
         playback(session, id, wanted, language);
         results(id, level, language);
-        paper(session, id, language);
+        paper(session, id, wanted, language);
         if (QTest::currentTestFailed())
             break;
     }
@@ -325,16 +372,14 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
         QVERIFY2(hasOwnWord(texts, exercise, language), qPrintable(texts.join(QLatin1Char('|'))));
     for (const auto& [other, own] : owners())
         for (const QString& plot : own.plots)
-            // An answer on a sphere is a finished trial's; what was begun of the others is shown.
             QCOMPARE(screen()->findChild<QWidget*>(plot) != nullptr,
-                     other == exercise && ending != Ending::nothing &&
-                         !(ending == Ending::stopped && exercise == "sphere_apex"));
+                     other == exercise && hasPlots(exercise, ending));
     if (const QString late = owners().at(exercise).lateInDebrief.translated(); !late.isEmpty())
         QVERIFY2(
-            isSaid(texts, late) == (ending == Ending::timedOut),
+            isSaid(texts, late) == isLate(ending),
             qPrintable(late + QStringLiteral(": ") + texts.mid(texts.size() - 12).join(QLatin1Char('|'))));
     // What did not come to its end has no verdict: neither a card nor a mark that was met or not.
-    const bool judged = ending == Ending::completed || ending == Ending::timedOut;
+    const bool judged = ending == Ending::completed || isLate(ending);
     QCOMPARE(!screen()->findChildren<QLabel*>(QStringLiteral("headline.verdict")).isEmpty(), judged);
     if (const auto* table = screen()->findChild<QTableWidget*>(QStringLiteral("debrief.metrics")))
         for (int row = 0; row < table->rowCount(); ++row)
@@ -350,7 +395,7 @@ void TestEveryDebrief::playback(database::SessionId id, const std::string& exerc
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
     const QString unnamed = QCoreApplication::translate("PlaybackMarks", "The next stage begins");
     QVERIFY2(texts.filter(unnamed).isEmpty(), "a stage began, and the events do not say which");
-    QVERIFY2(isSaid(texts, owners().at(exercise).lateInPlayback.translated()) == (ending == Ending::timedOut),
+    QVERIFY2(isSaid(texts, owners().at(exercise).lateInPlayback.translated()) == isLate(ending),
              qPrintable(texts.join(QLatin1Char('|'))));
 }
 
@@ -385,14 +430,16 @@ QString TestEveryDebrief::print(const report::ReportData& data, const QString& n
     return pdf;
 }
 
-void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise, const QString& language) {
+void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise, Ending ending,
+                             const QString& language) {
     const QString name =
         QStringLiteral("report_%1_%2")
             .arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')),
                  language);
     const report::ReportData data = reportOf(id, exercise, language);
     const QString pdf = print(data, name);
-    const QStringList foreign = foreignWords(linesOf(pdf), exercise, language);
+    const QStringList lines = tests::pdfLines(pdf);
+    const QStringList foreign = foreignWords(lines, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
     // Whoever copies from it gets the text that is seen: all of a real report, in every language.
     tests::PaintedPages pages;
@@ -400,6 +447,34 @@ void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise
     QVERIFY(tests::wordsIn(pages.shapes()).size() > 20);
     const QStringList lost = tests::notCopied(pages.shapes(), pdf);
     QVERIFY2(lost.isEmpty(), qPrintable(lost.join(QLatin1Char('\n'))));
+    if (ending != Ending::nothing)
+        QVERIFY2(hasOwnWord(lines, exercise, language), qPrintable(lines.join(QLatin1Char('|'))));
+    if (!hasPlots(exercise, ending))
+        return;
+    const QString drawn = tests::pdfText(pdf, tests::PdfOrder::drawn).simplified();
+    QVERIFY(!owners().at(exercise).paper.empty());
+    for (const Said& title : owners().at(exercise).paper)
+        QVERIFY2(drawn.contains(title.translated()),
+                 qPrintable(title.translated() + QStringLiteral(" in: ") + drawn));
+}
+
+/// It is complete, and yet nobody marked, found, took hold of or saw anything.
+void TestEveryDebrief::isUnmarked(database::SessionId id) {
+    using enum session::PlaybackMarkKind;
+    auto connection = m_site->database().openReader();
+    const auto view = session::SessionView::open(**connection, *m_tina, id);
+    QVERIFY2(view, view ? "" : view.error().message.c_str());
+    QVERIFY((*view)->record().summary.state == database::SessionState::completed);
+    const auto track = (*view)->track();
+    QVERIFY2(track, track ? "" : track.error().message.c_str());
+    const auto has = [&](session::PlaybackMarkKind kind) {
+        return std::any_of((*track)->marks.begin(), (*track)->marks.end(),
+                           [kind](const session::PlaybackMark& mark) { return mark.kind == kind; });
+    };
+    QVERIFY(has(timedOut));
+    for (const session::PlaybackMarkKind kind :
+         {marked, found, falseAlarm, takenBack, grasped, landmarkSeen, completed, failed, yielded})
+        QVERIFY2(!has(kind), qPrintable(QString::number(static_cast<int>(kind))));
 }
 
 // What a page marks is what the score counts: of a hand that breaks tissue, and of one that does not.
@@ -423,7 +498,7 @@ void TestEveryDebrief::paperMarksTheCriticalErrorsOfTheScore() {
                 .contains(QStringLiteral("critical error"));
         QCOMPARE(marked, *counted->value > 0.0);
         const QString pdf = print(data, QStringLiteral("critical_%1").arg(QLatin1String(name)));
-        QCOMPARE(isSaid(linesOf(pdf), QStringLiteral("What happened")), *counted->value > 0.0);
+        QCOMPARE(isSaid(tests::pdfLines(pdf), QStringLiteral("What happened")), *counted->value > 0.0);
     }
 }
 

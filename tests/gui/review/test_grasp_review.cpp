@@ -257,6 +257,25 @@ private slots:
         }
     }
 
+    /// From when it happened to the end of that trial, and in no other.
+    void tissueThatGaveWayIsMarkedInTheScene() {
+        session::PlaybackTrack track = madeTrack(1, {{"tension_N", 1.0}});
+        for (const auto& [t_s, trial, x_m] :
+             {std::tuple{0.5, 0, 0.010}, std::tuple{1.0, 0, 0.020}, std::tuple{0.1, 1, 0.030}}) {
+            session::PlaybackMark& mark = track.marks.emplace_back();
+            mark.t_s = mark.end_s = t_s;
+            mark.kind = session::PlaybackMarkKind::yielded;
+            mark.trial = trial;
+            mark.p_W = core::Vec3(x_m, 0.0, 0.040);
+        }
+        track.marks.emplace_back().kind = session::PlaybackMarkKind::yielded; // nobody knows where
+        const auto shown = [&](double t_s) { return sceneStateAt(track, nullptr, t_s).p_WYielded; };
+        QVERIFY(shown(0.4).empty());
+        QCOMPARE(shown(0.6).size(), std::size_t{1});
+        QVERIFY(shown(0.6)[0] == core::Vec3(0.010, 0.0, 0.040));
+        QCOMPARE(shown(1.9).size(), std::size_t{2});
+    }
+
     void everyMarkOfGraspingHasWordsAndASign() {
         using enum session::PlaybackMarkKind;
         std::set<QString> said;

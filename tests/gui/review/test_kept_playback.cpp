@@ -5,7 +5,7 @@
 // QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_playback
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"

@@ -20,6 +20,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
+#include <limits>
 #include <sqlite3.h>
 
 using namespace chiron;
@@ -179,6 +180,51 @@ private slots:
         QVERIFY(m_desktop->find<QLabel>(QStringLiteral("debrief.lumps"))
                     ->text()
                     .contains(QStringLiteral("no lump there")));
+    }
+
+    /// What there was, what was reported, and how much was searched.
+    void aTrialIsSummedUp() {
+        session::PalpationTrialRecord record;
+        record.coverage = 0.847;
+        const auto words = [&] { return desktop::palpationSummary(record, QLocale::c()); };
+        QCOMPARE(words(), QStringLiteral("There was no lump, and none was reported. Searched: 84 %."));
+        record.answer.matches = {{0, scoring::FindingMatch::kNone, std::numeric_limits<double>::infinity()}};
+        QCOMPARE(words(),
+                 QStringLiteral("There was no lump. Findings where there was no lump: 1. Searched: 84 %."));
+        QCOMPARE(desktop::palpationLines(record, {}, QLocale::c()),
+                 QStringList{QStringLiteral("Finding 1: no lump there")});
+        record.answer.truth.lumps.resize(3);
+        record.answer.matches = {{0, 1, 0.004}, {1, 2, 0.005}};
+        record.timedOut = true;
+        QCOMPARE(words(), QStringLiteral("Lumps found: 2 of 3. Searched: 84 %. Time was up before the search "
+                                         "was reported as done."));
+    }
+
+    /// Each lump with the finding that found it and what was stated of it, then each finding that found none.
+    void eachLumpIsToldWithItsFinding() {
+        using simulation::ReportField;
+        session::PalpationTrialRecord record;
+        record.answer.truth.lumps = {{core::Vec3::Zero(), 0.012, 0.0075, 5},
+                                     {core::Vec3::Zero(), 0.010, 0.005, 3}};
+        simulation::FindingsBook& book = record.answer.findings;
+        book.place(0, {0.01, 0.0, 0.0});
+        (void)book.rate(0, ReportField::size, 70); // tenths of a millimetre
+        (void)book.rate(0, ReportField::hardness, 4);
+        (void)book.rate(0, ReportField::confidence, 5);
+        book.place(2, {0.0, 0.03, 0.0});
+        record.answer.matches = {{0, 1, 0.0042}, {2, scoring::FindingMatch::kNone, 0.0306}};
+        simulation::PalpationParameters level;
+        level.asksSize = level.asksHardness = level.asksConfidence = true;
+        QCOMPARE(
+            desktop::palpationLines(record, level, QLocale::c()),
+            (QStringList{"Lump 1 (15 mm across, 12 mm deep): missed",
+                         "Lump 2: found, finding 1, 4 mm from its centre; stated size 14 mm across, true "
+                         "size 10 mm across; stated hardness firm, true hardness medium; confidence: "
+                         "certain",
+                         "Finding 3: no lump there; the nearest was 31 mm away"}));
+        level.asksSize = level.asksHardness = level.asksConfidence = false;
+        QCOMPARE(desktop::palpationLines(record, level, QLocale::c()).at(1),
+                 QStringLiteral("Lump 2: found, finding 1, 4 mm from its centre"));
     }
 
     void tooFewAnswersMakeNoCurve() {

@@ -9,6 +9,7 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/widgets/scroll_page.h"
 #include "review_sessions.h"
+#include "support/grasp_session.h"
 #include "support/looked_back.h"
 #include "support/patience.h"
 
@@ -38,6 +39,8 @@ private slots:
     void opensAtAMoment();
     void aMomentIsPlayedToAndStops();
     void aTickIsPlayedTo();
+    void energyIsForExperts_data();
+    void energyIsForExperts();
     void aTrainerMarksASessionAsReviewed();
     void cursorsAndScrubberAgree();
     void keysStepAndSeek();
@@ -58,6 +61,7 @@ private slots:
     void damagedIsNamed();
     void sceneStateIsTheRecording();
     void nothingClippedOrUnnamed();
+    void theHeadSaysWhatWasRecorded();
 
 private:
     void open(database::SessionId id, QVariantMap more = {});
@@ -69,6 +73,7 @@ private:
     std::optional<database::Actor> m_tina;
     database::SessionId m_good = 0;
     database::SessionId m_bad = 0;
+    database::SessionId m_tube = 0; ///< of an exercise whose energy is recorded
 };
 
 void TestPlayback::initTestCase() {
@@ -137,6 +142,29 @@ void TestPlayback::aTickIsPlayedTo() {
     const double moment_s = clock.position_s();
     QVERIFY2(moment_s > 8.5, qPrintable(QString::number(moment_s)));
     QVERIFY(screen()->captionAt(moment_s - 1.0).title.isEmpty());
+}
+
+void TestPlayback::energyIsForExperts_data() {
+    QTest::addColumn<QString>("person");
+    QTest::addColumn<bool>("shown");
+    QTest::newRow("trainee") << QStringLiteral("tina") << false;
+    QTest::newRow("trainer") << QStringLiteral("tom") << true;
+    QTest::newRow("researcher") << QStringLiteral("rhea") << true;
+    QTest::newRow("administrator") << QStringLiteral("ada") << true;
+}
+
+/// The balance of energy tells whether the simulation is sound, which is nothing that a trainee can change.
+void TestPlayback::energyIsForExperts() {
+    QFETCH(QString, person);
+    QFETCH(bool, shown);
+    if (m_tube == 0)
+        m_tube = tests::addGrasping(*m_site, "tina", "elastic_tube");
+    QVERIFY(m_tube != 0);
+    m_site->logIn(person.toStdString());
+    open(m_tube);
+    QVERIFY(find<QWidget>("playback.grasp_plot")); // the plots of the exercise are there
+    QCOMPARE(find<QWidget>("playback.energy_plot") != nullptr, shown);
+    m_site->context.logIn(*m_tina);
 }
 
 void TestPlayback::aTrainerMarksASessionAsReviewed() {
@@ -613,6 +641,33 @@ void TestPlayback::damagedIsNamed() {
 void TestPlayback::nothingClippedOrUnnamed() {
     const QStringList findings = tests::findingsOn(*m_site, [this] { open(m_bad); });
     QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+/// The exercise, an attempt by its number, and the level; a scripted operator's session is no attempt.
+void TestPlayback::theHeadSaysWhatWasRecorded() {
+    MadeSession scripted = m_made->good;
+    scripted.operatorName = "expert";
+    const auto own = tests::store(m_site->database(), *m_tina, m_made->good);
+    const auto demonstration = tests::store(m_site->database(), *m_tina, scripted);
+    const auto heads = [&](database::SessionId id) {
+        open(id);
+        QStringList texts;
+        for (const QLabel* label : screen()->findChildren<QLabel*>())
+            texts << label->text();
+        return texts;
+    };
+    auto connection = m_site->database().openReader();
+    const int attempt = database::SessionReader(**connection, *m_tina).session(own)->summary.attempt;
+    QVERIFY(attempt > 1);
+    const auto& exercises = m_site->context.site().catalogue().exercises();
+    const auto apex = std::find_if(exercises.begin(), exercises.end(),
+                                   [](const auto& exercise) { return exercise.id == "sphere_apex"; });
+    QVERIFY(apex != exercises.end());
+    const QString exercise = QString::fromStdString(apex->title.at("en")),
+                  level = QString::fromStdString(m_made->good.setup.level.title.at("en"));
+    QVERIFY(heads(own).contains(
+        QStringLiteral("%1, attempt %2 at level 2: %3").arg(exercise).arg(attempt).arg(level)));
+    QVERIFY(heads(demonstration).contains(QStringLiteral("%1, level 2: %2").arg(exercise, level)));
 }
 
 QTEST_MAIN(TestPlayback)

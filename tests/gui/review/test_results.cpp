@@ -3,6 +3,7 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_screen.h"
+#include "report/plot_view.h"
 #include "review_sessions.h"
 #include "support/patience.h"
 
@@ -12,6 +13,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <algorithm>
+#include <cmath>
+
+#include <qcustomplot.h>
 
 using chiron::tests::kPatience_ms;
 
@@ -25,6 +30,8 @@ private slots:
     void initTestCase();
     void emptyLeadsToExercises();
     void attemptsAndCurve();
+    void countsAndAttemptsHaveWholeNumbers_data();
+    void countsAndAttemptsHaveWholeNumbers();
     void onlyMyOwn();
     void aTrainerSeesSomebodysProgress();
     void openLeadsToTheDebrief();
@@ -112,6 +119,48 @@ void TestResults::attemptsAndCurve() {
                           QStringLiteral("Attempt 3 at level 2"), QStringLiteral("Attempt 2 at level 2"),
                           QStringLiteral("Attempt 1 at level 2")}));
     tests::takePictures(*m_site, QStringLiteral("results"), [this] { open(); });
+}
+
+void TestResults::countsAndAttemptsHaveWholeNumbers_data() {
+    QTest::addColumn<int>("attempts");
+    QTest::newRow("each attempt named") << 3;
+    QTest::newRow("a numbered axis") << 30;
+}
+
+/// There are no half misses, nor half attempts; a force has values between two numbers.
+void TestResults::countsAndAttemptsHaveWholeNumbers() {
+    QFETCH(int, attempts);
+    std::vector<desktop::Attempt> made;
+    for (int i = 1; i <= attempts; ++i) {
+        desktop::Attempt& attempt = made.emplace_back();
+        attempt.summary.state = database::SessionState::completed;
+        attempt.summary.attempt = i;
+        attempt.summary.felt = true;
+        scoring::MetricValue& value = attempt.metrics.emplace_back();
+        value.id = "apex_misses";
+        value.value = i % 3;
+    }
+    const auto ticksOf = [&](const char* unit, bool across) {
+        report::MetricRow row;
+        row.id = QStringLiteral("apex_misses");
+        row.unit = QLatin1String(unit);
+        const auto curve =
+            desktop::learningCurve(made, row, desktop::plotThemeOf(m_site->context.theme(), QLocale::c()));
+        curve->resize(480, 320);
+        curve->show();
+        const auto* plot = curve->findChild<QCustomPlot*>();
+        if (!plot)
+            qFatal("the curve has no plot");
+        return (across ? plot->xAxis : plot->yAxis)->tickVector();
+    };
+    const auto whole = [](const QVector<double>& ticks) {
+        return ticks.size() > 1 && std::all_of(ticks.begin(), ticks.end(), [](double at) {
+                   return std::abs(at - std::round(at)) < 1e-9;
+               });
+    };
+    QVERIFY(whole(ticksOf("count", false)));
+    QVERIFY(whole(ticksOf("count", true)));
+    QVERIFY(!whole(ticksOf("N", false)));
 }
 
 void TestResults::onlyMyOwn() {

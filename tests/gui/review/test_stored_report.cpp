@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session's report states exactly what is stored: every fact and every score.
 #include "database/repositories/score_repository.h"
+#include "desktop/debrief/debrief_data.h"
+#include "desktop/playback/playback_data.h"
 #include "recording/digest.h"
 #include "review_sessions.h"
 #include "session_report/metric_words.h"
 #include "session_report/session_report.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 
 using namespace chiron;
 
@@ -33,6 +37,7 @@ private slots:
     void onlyWhatCameToItsEndIsJudged();
     void thePublishedBandIsOfThoseWhoFelt();
     void theWholeReportNamesItsRecording();
+    void eachLooksAtTheRecordingOnce();
 
 private:
     database::SessionRecord recordOf(database::SessionId id) {
@@ -196,6 +201,40 @@ void TestStoredReport::theWholeReportNamesItsRecording() {
         QVERIFY(whole->series.t_s.back() <= whole->duration_s + 1e-6);
     }
     QVERIFY(digests[0] != digests[1]);
+}
+
+/// Debrief, report and playback decode the recording once each, and together not more often.
+void TestStoredReport::eachLooksAtTheRecordingOnce() {
+    const auto opened = [this] {
+        auto view = session::SessionView::open(*m_reader, *m_tina, m_good);
+        if (!view)
+            qFatal("%s", view.error().message.c_str());
+        return std::move(*view);
+    };
+    const std::atomic<bool> goesOn = false;
+    const auto debriefed = [&](session::SessionView& view) {
+        const auto details = desktop::debriefDetailsOf(view, *m_reader, *m_tina, goesOn);
+        return details && details->duration_s > 0.0 && !details->trials.empty();
+    };
+    const auto printed = [&](session::SessionView& view) {
+        const auto data = session_report::reportDataOf(view, *m_reader, *m_tina, "en");
+        return data && data->duration_s > 0.0 && !data->series.t_s.empty();
+    };
+    const auto played = [&](session::SessionView& view) {
+        desktop::PlaybackData data;
+        data.setup = view.setup();
+        return desktop::addRecording(data, view, {}) && !data.track.empty() && data.layer;
+    };
+    const auto all = opened();
+    using Look = std::function<bool(session::SessionView&)>;
+    for (const Look& look : {Look(debriefed), Look(printed), Look(played)}) {
+        const auto own = opened();
+        QCOMPARE(own->decodings(), 0); // opening reads rows only
+        QVERIFY(look(*own));
+        QCOMPARE(own->decodings(), 1);
+        QVERIFY(look(*all));
+    }
+    QCOMPARE(all->decodings(), 1);
 }
 
 QTEST_MAIN(TestStoredReport)

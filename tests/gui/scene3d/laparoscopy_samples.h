@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "gui/scene3d/scene_samples.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 namespace chiron::scene3d::samples {
 

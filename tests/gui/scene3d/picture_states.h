@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/exercises/palpation/scene/palpation_overlay.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"

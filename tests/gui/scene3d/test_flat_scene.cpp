@@ -2,6 +2,7 @@
 #include "desktop/scene2d/flat_panel.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
+#include "gui/scene3d/picture_states.h"
 #include "gui/scene3d/scene_samples.h"
 #include "support/painted_shapes.h"
 #include "support/patience.h"
@@ -205,6 +206,30 @@ private slots:
         state.marked = true;
         state.p_WMark = {0.01, 0.01, 0.019};
         QVERIFY(picture(samples::setup(), state) != ghost);
+    }
+
+    /// In every exercise, at each place and nowhere else.
+    void tissueThatGaveWayIsCrossed() {
+        std::list<samples::Picture> pictures = samples::laparoscopyPictures();
+        pictures.splice(pictures.end(), samples::palpationPictures());
+        std::map<std::string, samples::Picture> shown; // one of each exercise
+        for (const samples::Picture& each : pictures)
+            shown.emplace(each.setup.exercise, each);
+        const samples::UrethraPicture canal = samples::urethraPictures().at(QStringLiteral("d_middle"));
+        shown.emplace(canal.setup.exercise, samples::Picture{"canal", canal.setup, canal.state, {}, false});
+        shown.emplace("sphere_apex",
+                      samples::Picture{"sphere", samples::setup(), samples::pressed(2.0), {}, false});
+        QCOMPARE(shown.size(), std::size_t{5});
+        for (const auto& [exercise, each] : shown) {
+            const QImage whole = picture(each.setup, each.state);
+            QCOMPARE(picture(each.setup, each.state), whole);
+            SceneState state = each.state;
+            state.p_WYielded = {state.tool[0].p_WT};
+            const QImage once = picture(each.setup, state);
+            QVERIFY2(once != whole, exercise.c_str());
+            state.p_WYielded.push_back(state.tool[0].p_WT + core::Vec3(0.0, 0.006, 0.004));
+            QVERIFY2(picture(each.setup, state) != once, exercise.c_str());
+        }
     }
 
     void theFirstFrameIsToldOnce() {

@@ -5,7 +5,7 @@
 // scene looked at: scene_pictures and its siblings): CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
 // build/release/tests/gui/scene3d/test_kept_outlines
 #include "app/exercises/palpation/scene/palpation_overlay.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"
@@ -305,6 +305,42 @@ private slots:
         }
         const QString differs = m_kept.differs(name, now);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    }
+    /// In every scene, where tissue gave way in playback; what is no longer shown is gone.
+    void tissueThatGaveWayIsMarked_data() { isMadeAsItWas_data(); }
+    void tissueThatGaveWayIsMarked() {
+        QFETCH(QString, name);
+        const Scene& scene = m_all.at(name);
+        const std::unique_ptr<ISceneView> view(m_plugin.make(&scene.setup, nullptr));
+        auto* window = qobject_cast<QWindow*>(view->inputSource());
+        const auto* root =
+            qobject_cast<const Qt3DCore::QEntity*>(window->property(kSceneRootProperty).value<QObject*>());
+        SceneState state = scene.steps.front().state;
+        const auto stars = [root] {
+            QList<const Qt3DCore::QEntity*> all;
+            if (const auto* yields = root->findChild<Qt3DCore::QEntity*>(QStringLiteral("scene.yields")))
+                for (const auto* star :
+                     yields->findChildren<Qt3DCore::QEntity*>(QString(), Qt::FindDirectChildrenOnly))
+                    if (star->isEnabled())
+                        all << star;
+            return all;
+        };
+        const auto placeOf = [](const Qt3DCore::QEntity* star) {
+            return star->componentsOfType<Qt3DCore::QTransform>().first()->translation();
+        };
+        view->show(state);
+        QVERIFY(stars().isEmpty());
+        state.p_WYielded = {{0.010, -0.020, 0.030}, {0.001, 0.002, 0.003}};
+        view->show(state);
+        QCOMPARE(stars().size(), 2);
+        QCOMPARE(placeOf(stars()[0]), QVector3D(10.0F, -20.0F, 30.0F));
+        QCOMPARE(placeOf(stars()[1]), QVector3D(1.0F, 2.0F, 3.0F));
+        state.p_WYielded.resize(1);
+        view->show(state);
+        QCOMPARE(stars().size(), 1);
+        state.p_WYielded.clear();
+        view->show(state);
+        QVERIFY(stars().isEmpty());
     }
     /// What nobody asks for again is no longer kept.
     void keepsNothingOfNoScene() {

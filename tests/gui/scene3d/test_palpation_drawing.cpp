@@ -16,7 +16,10 @@
 #include "support/image_region.h"
 #include "support/painted_shapes.h"
 
+#include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
 #include <QtTest>
 #include <algorithm>
 
@@ -66,6 +69,104 @@ std::vector<tests::PaintedShape> flagPicture(const FindingFlag& flag, const Scen
 QPoint placeIn(const QImage& picture, const simulation::SurfaceMap& map, double x_m, double y_m) {
     return {int((0.5 + 0.5 * x_m / map.half_m().x()) * picture.width()),
             int((0.5 - 0.5 * y_m / map.half_m().y()) * picture.height())};
+}
+
+/// A shape or picture as it was painted, with what fills it.
+struct Painted {
+    enum class Kind { picture, ellipse, path } kind;
+    QRectF box;
+    QBrush fill;
+
+    /// Whether it leaves nothing visible of a place that it covers.
+    bool hides() const {
+        return kind != Kind::picture && fill.style() == Qt::SolidPattern && fill.isOpaque();
+    }
+    bool isCircle(const QPointF& middle, double radius) const {
+        return kind == Kind::ellipse && (box.center() - middle).manhattanLength() < 0.01 &&
+               std::abs(0.5 * box.width() - radius) < 0.01;
+    }
+};
+
+/// Takes down what is painted, in its order. Words are left out.
+class PaintedEngine final : public QPaintEngine {
+public:
+    PaintedEngine() : QPaintEngine(AllFeatures) {}
+    bool begin(QPaintDevice*) override { return true; }
+    bool end() override { return true; }
+    Type type() const override { return User; }
+    void updateState(const QPaintEngineState&) override {}
+    void drawEllipse(const QRectF& rect) override { take(Painted::Kind::ellipse, rect, painter()->brush()); }
+    void drawEllipse(const QRect& rect) override { drawEllipse(QRectF(rect)); }
+    void drawPath(const QPainterPath& path) override {
+        take(Painted::Kind::path, path.boundingRect(), painter()->brush());
+    }
+    void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
+        const QPolygonF corners(QList<QPointF>(points, points + count));
+        take(Painted::Kind::path, corners.boundingRect(),
+             mode == PolylineMode ? QBrush() : painter()->brush());
+    }
+    void drawPolygon(const QPoint* points, int count, PolygonDrawMode mode) override {
+        const std::vector<QPointF> corners(points, points + count);
+        drawPolygon(corners.data(), count, mode);
+    }
+    void drawPixmap(const QRectF& to, const QPixmap&, const QRectF&) override {
+        take(Painted::Kind::picture, to, {});
+    }
+    void drawImage(const QRectF& to, const QImage&, const QRectF&, Qt::ImageConversionFlags) override {
+        take(Painted::Kind::picture, to, {});
+    }
+    void drawTextItem(const QPointF&, const QTextItem&) override {}
+
+    std::vector<Painted> all;
+
+private:
+    void take(Painted::Kind kind, const QRectF& box, const QBrush& fill) {
+        all.push_back({kind, painter()->combinedTransform().mapRect(box), fill});
+    }
+};
+
+/// A surface of 1000 by 800 pixels for it.
+class PaintedDevice final : public QPaintDevice {
+public:
+    QPaintEngine* paintEngine() const override { return &m_engine; }
+    const std::vector<Painted>& all() const { return m_engine.all; }
+
+protected:
+    int metric(PaintDeviceMetric metric) const override {
+        switch (metric) {
+        case PdmWidth:
+            return 1000;
+        case PdmHeight:
+            return 800;
+        case PdmWidthMM:
+        case PdmHeightMM:
+            return 200;
+        case PdmDpiX:
+        case PdmDpiY:
+        case PdmPhysicalDpiX:
+        case PdmPhysicalDpiY:
+            return 96;
+        case PdmNumColors:
+            return 1 << 24;
+        case PdmDepth:
+            return 32;
+        case PdmDevicePixelRatio:
+            return 1;
+        default:
+            return QPaintDevice::metric(metric);
+        }
+    }
+
+private:
+    mutable PaintedEngine m_engine;
+};
+
+/// Of the shapes that `fits` accepts, the place of the last one in the order of painting; −1: none.
+template <class Fits> int lastOf(const std::vector<Painted>& painted, Fits fits) {
+    for (int i = static_cast<int>(painted.size()) - 1; i >= 0; --i)
+        if (fits(painted[static_cast<std::size_t>(i)]))
+            return i;
+    return -1;
 }
 
 } // namespace
@@ -364,6 +465,54 @@ private slots:
         }
         QVERIFY(FlatPalpation(samples::palpationParameters(Tissue::pad)).heightLines().empty());
         QCOMPARE(content->groundHeight_m(state, 0.01, 0.02), surface.heightAt({0.01, 0.02}).z_m);
+    }
+
+    /// The circle within which a lump counts as found has the level's size and lies round the mark, above
+    /// finger and hatching. It is empty, so that both are seen in it, and of the finger's dial the mark
+    /// covers no more than the middle.
+    void theToleranceIsDrawnAndNothingHidesAnother() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        for (const double hit_m : {0.005, 0.012}) {
+            simulation::PalpationParameters parameters = samples::palpationParameters(Tissue::pad);
+            parameters.hitRadius_m = hit_m;
+            const FlatPalpation flat(parameters);
+            SceneState state;
+            samples::pressFinger(state, setup, 0, {0.004, 0.002}, 0.004); // pressing on the mark
+            samples::addFinding(state, setup, 0, {0.004, 0.002}, FindingOutcome::open);
+            const simulation::SurfaceMap map = samples::searched(setup, 0.4);
+            state.overlay.own<PalpationOverlay>().map = &map;
+            PaintedDevice device;
+            FlatPanel panel(FlatPanel::Side::above, flat.rangeAbove_mm(), setup);
+            panel.place({0, 0}, 4.0);
+            {
+                QPainter painter(&device);
+                flat.paint(painter, panel, setup, state);
+            }
+            const std::vector<Painted>& painted = device.all();
+            const auto& mark = state.exercise.of<simulation::PalpationCues>().finding[0].p_W;
+            const QPointF foot = panel.project({mark[0], mark[1], mark[2]});
+            const int circle = lastOf(painted, [&](const Painted& each) {
+                return each.isCircle(foot, panel.pixels(1e3 * hit_m)) && each.fill.style() == Qt::NoBrush;
+            });
+            const int hatching = lastOf(painted, [&](const Painted& each) {
+                return each.kind == Painted::Kind::picture &&
+                       each.box.width() < panel.plot().width(); // the relief is as wide as the plot
+            });
+            const int finger = lastOf(painted, [](const Painted& each) {
+                return each.hides() && each.box.height() > 40.0; // far larger than a mark or a number
+            });
+            const QPointF tip = panel.project(state.tool[0].p_WT);
+            const double rim = panel.pixels(kPlatformRing_mm);
+            const int dial = lastOf(painted, [&](const Painted& each) { return each.isCircle(tip, rim); });
+            QVERIFY2(circle >= 0, qPrintable(QString::number(hit_m)));
+            QVERIFY(hatching >= 0 && finger >= 0 && dial >= 0);
+            QVERIFY(hatching < finger && finger < dial && dial < circle);
+            for (std::size_t i = static_cast<std::size_t>(dial) + 1; i < painted.size(); ++i) {
+                const Painted& later = painted[i];
+                QVERIFY2(!later.hides() || later.box.width() < 1.5 * rim,
+                         qPrintable(QStringLiteral("%1 px wide").arg(later.box.width())));
+            }
+        }
     }
 
     void hiddenHandLeavesNoDentInTheFlatPicture() {

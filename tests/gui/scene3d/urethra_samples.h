@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
-#include "core/procedure_stage.h"
 #include "core/units.h"
+#include "cues/procedure_stage.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"

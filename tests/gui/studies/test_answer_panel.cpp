@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a participant answers: every task by its keys, rankings with ties and without, nothing while closed.
+// How a participant answers: every task by its keys, rankings with ties and without, nothing while closed;
+// and where the focus goes when a control closes.
 #include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/participant_page.h"
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -20,6 +22,7 @@ private slots:
     void nothingIsTakenWhileClosed();
     void everyAnswerIsReadable();
     void objectsGoByTheirNumbers();
+    void theFocusStaysWithTheTask();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -192,6 +195,43 @@ void TestAnswerPanel::objectsGoByTheirNumbers() {
                     ->accessibleName()
                     .contains(QStringLiteral("right")));
     }
+}
+
+/// A control that is disabled or hidden gives the focus to the page and not to the next button, which may be
+/// anybody's; Tab moves it as ever.
+void TestAnswerPanel::theFocusStaysWithTheTask() {
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* page = new desktop::ParticipantPage;
+    column->addWidget(page);
+    auto* inner = new QVBoxLayout(page);
+    auto* another = new QPushButton(QStringLiteral("another"));
+    auto* number = new desktop::AnswerPanel(m_theme, Task::magnitude, psychophysics::Attribute::stiffness);
+    auto* order = new desktop::AnswerPanel(m_theme, Task::rank3, psychophysics::Attribute::stiffness);
+    for (QWidget* part : std::initializer_list<QWidget*>{another, number, order})
+        inner->addWidget(part);
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    auto* field = number->findChild<QLineEdit*>(QStringLiteral("answer.number"));
+    number->setOpen(true);
+    QVERIFY(field->hasFocus());
+    number->setOpen(false);
+    QVERIFY(page->hasFocus());
+    order->setOpen(true);
+    auto* first = order->findChild<QPushButton*>(QStringLiteral("answer.0"));
+    first->setFocus();
+    first->click(); // it has its rank, and cannot be pressed again
+    QVERIFY(!first->isEnabled() && page->hasFocus());
+    another->setFocus();
+    another->hide();
+    QVERIFY(page->hasFocus());
+    another->show();
+    another->setFocus();
+    number->setOpen(true);
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Tab);
+    QVERIFY(number->findChild<QPushButton*>(QStringLiteral("answer.confirm"))->hasFocus());
 }
 
 QTEST_MAIN(TestAnswerPanel)

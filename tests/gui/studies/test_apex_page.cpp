@@ -5,6 +5,7 @@
 #include "report/plot_view.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/patience.h"
 #include "support/picture_look.h"
 
@@ -83,7 +84,7 @@ private slots:
         keep("person");
     }
     void otherLooksAndLanguages() {
-        for (const char* language : {"de", "el"}) {
+        for (const char* language : tests::otherLanguages()) {
             m_site->settings.setLanguage(QLatin1String(language));
             m_site->settings.setTheme(desktop::ThemeName::dark);
             m_site->context.applyAppearance();

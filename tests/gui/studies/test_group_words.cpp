@@ -149,6 +149,9 @@ void TestGroupWords::whyARunIsNotUsed() {
         Presence::guessing);
     QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}}), true),
              Presence::unbounded);
+    QCOMPARE(session::presenceOf(
+                 estimateWith(0.1, {{WarningKind::priorEdgeLow}, {WarningKind::priorEdgeHigh}}), true),
+             Presence::unbounded); // neither small nor large is ruled out: that is not guessing
     QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {}), true), Presence::noValue);
     psychophysics::RunEstimate none;
     QCOMPARE(session::presenceOf(none, true), Presence::noAnswers);
@@ -199,6 +202,12 @@ void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
                                kEnglish);
     QVERIFY2(said.front().contains(QStringLiteral("only A has a value in both")), qPrintable(said.front()));
     QVERIFY2(said.front().startsWith(bothNamed), qPrintable(said.front()));
+    QVERIFY2(said.front().contains(QStringLiteral("nobody has a value in “Stiff” alone")),
+             qPrintable(said.front()));
+    said = comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::allRight}}), soft}, {}, nameOf,
+                               kEnglish);
+    QVERIFY2(said.front().contains(QStringLiteral("nobody has a value in “Soft” alone")),
+             qPrintable(said.front()));
     said = comparisonSentences({rollOf({{"A", Presence::used}}), rollOf({{"B", Presence::used}})}, {}, nameOf,
                                kEnglish); // numbers that were said, of two people
     QVERIFY2(said.front().startsWith(bothNamed) && said.front().contains(QStringLiteral("set against")),

@@ -7,6 +7,7 @@
 #include "desktop/study_run/trials_screen.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/patience.h"
 #include "support/settled.h"
 
@@ -37,7 +38,7 @@ private:
     /// `look` in every language, at 100 and 200 %, in the light and the dark theme;
     /// CHIRON_KEEP_PICTURES=<folder> keeps the pictures.
     template <class Look> void everyLook(Look look) {
-        for (const char* language : {"de", "el", "en"})
+        for (const char* language : tests::languagesEnglishLast())
             for (const double scale : {2.0, 1.0})
                 for (const auto theme : {desktop::ThemeName::dark, desktop::ThemeName::light}) {
                     m_site->settings.setLanguage(QLatin1String(language));
@@ -197,7 +198,7 @@ void TestMaskedStudy::sealedSittingsAreToldAsSuch() {
             return table->model()->index(table->currentIndex().row(), column).data().toString();
         };
         QCOMPARE(cell(desktop::SessionTableModel::exercise),
-                 desktop::SessionWords::comparison()); // and not its token
+                 desktop::SessionWords::study()); // and not its token
         QCOMPARE(cell(desktop::SessionTableModel::length), desktop::SessionTableModel::tr("sealed"));
         // Nobody is led to what stays closed: neither by a button nor by Enter.
         for (const char* button : {"sessions.open", "sessions.play"})

@@ -2,10 +2,12 @@
 // What a participant sees and can do, and what only the experimenter can: the card and the free minute before
 // anything counts, answers only when they are possible, practice taken back, the neutral end, the way to the
 // experimenter's desk; and what happens half-way.
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/asked_sitting.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/study_run/sitting_sentences.h"
 #include "desktop/study_run/study_controls.h"
 #include "session/study/trial_fidelity.h"
 #include "support/patience.h"
@@ -13,8 +15,11 @@
 
 #include <QGuiApplication>
 #include <QLabel>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <cmath>
 
@@ -41,17 +46,22 @@ private slots:
     void whatIsMissingIsNamed();
     void aTooLightTouchIsTold();
     void theCardAndTheFreeMinuteComeFirst();
+    void aLongCardIsReadBeforeItBegins();
     void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
     void aTrialThatDoesNotCountIsTold();
     void everyReasonHasWords();
     void enterAndSpaceGoOn();
+    void enterAfterANumberCallsNobody();
+    void whatTheStationDoesIsSaid();
+    void aSessionThatEndsByItselfIsTold();
     void aDoublePressAnswersNothing();
     void stopIsReachedWithACapturedPointer();
     void theDeskTakesThePassword();
     void whoLeavesMidTrialSeesTheNeutralEnd();
     void aPilotIsNamed();
+    void aPilotIsAskedBeforeItStops();
     void whoWasAskedForSitsDownAfterTheLogin();
     void anOpenStudyAsksForNoPassword();
     void aSecondScreenIsTheParticipants();
@@ -219,8 +229,38 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
     QVERIFY(reach(-0.04, 0.0333)); // 1 N and more
     QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().contains(QStringLiteral("Touch next: 2, 3")),
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1. To let go, lower")) &&
+                                  why->text().endsWith(QStringLiteral("Touch next: 2, 3.")),
                               qPrintable(why->text()), kPatience_ms);
+    QVERIFY(reach(-0.04, 0.014)); // well below the ring
+    const QString letGo = QStringLiteral("You let go of 1. Raise the tool. Touch next: 2, 3.");
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
+    QVERIFY(reach(-0.04, 0.045)); // straight up through the ring, which takes no hold again
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
+    QCOMPARE(live.view().place, -1);
+}
+
+/// A key that moves the tool reads on while there is more to read, and begins nothing.
+void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
+    prepare("long_card");
+    m_site->window->resize(1280, 720);
+    m_site->settings.setScale(2.0);
+    m_site->context.applyAppearance();
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen);
+    tests::sittingButton(screen, "break.button")->click();
+    const auto* card = page(screen)->findChild<desktop::ReadyCard*>();
+    QVERIFY(card && card->isVisible());
+    const QScrollBar& bar =
+        *card->findChild<QScrollArea*>(QStringLiteral("training.ready.page"))->verticalScrollBar();
+    QTRY_VERIFY_WITH_TIMEOUT(bar.maximum() > 0, kPatience_ms);
+    for (int presses = 0; presses < 50 && bar.value() < bar.maximum(); ++presses)
+        press(Qt::Key_PageDown);
+    QCOMPARE(bar.value(), bar.maximum());
+    QCOMPARE(screen->live()->view().state, State::paused);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    m_site->settings.setScale(1.0);
+    m_site->context.applyAppearance();
 }
 
 /// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is
@@ -254,7 +294,8 @@ void TestParticipantPage::aFurtherPartIsShort() {
     const QString first = partText();
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
-    QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"), QStringLiteral("Trial 1 of 1"),
+    QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"),
+                              QStringLiteral("Trial 1 of 1. From now on every answer counts."),
                               kPatience_ms); // neither more nor fewer
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
@@ -366,12 +407,15 @@ void TestParticipantPage::practiceIsTakenBack() {
     tests::sittingButton(screen, "break.button")->click();
     QVERIFY(canAnswer(screen));
     const auto* strip = page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"));
-    QTRY_COMPARE_WITH_TIMEOUT(strip->text(), QStringLiteral("Trial 1 of at most 40"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(strip->text(),
+                              QStringLiteral("Trial 1 of at most 40. From now on every answer counts."),
+                              kPatience_ms);
     QVERIFY(!screen->live()->view().practice);
     for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
         tests::sittingButton(screen, button)->click();
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(3), kPatience_ms);
     QVERIFY(!screen->live()->view().mayTakeBack); // what counts, counts
+    QTRY_COMPARE_WITH_TIMEOUT(strip->text(), QStringLiteral("Trial 2 of at most 40"), kPatience_ms);
 }
 
 /// Said while the trial is done again, and gone with the next that counts. The count stands still, and
@@ -453,6 +497,87 @@ void TestParticipantPage::enterAndSpaceGoOn() {
         QCOMPARE(stored().size(), std::size_t(1));
         QVERIFY(tests::stopSitting(*m_site, screen));
     }
+}
+
+/// The field of the number is disabled while the answer is told: Enter goes on there, and nothing else.
+void TestParticipantPage::enterAfterANumberCallsNobody() {
+    prepare("number", [](psychophysics::StudyDesign& design) {
+        design.trial.practiceTrials = 2;
+        design.conditions[0].task = psychophysics::Task::magnitude;
+        design.conditions[0].procedures = {
+            psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    auto* number = page(screen)->findChild<QLineEdit*>(QStringLiteral("answer.number"));
+    QVERIFY(number);
+    for (std::size_t trial = 1; trial <= 2; ++trial) {
+        QVERIFY(canAnswer(screen));
+        QTRY_VERIFY_WITH_TIMEOUT(number->hasFocus(), kPatience_ms);
+        QTest::keyClicks(number, QStringLiteral("12"));
+        QTest::keyClick(number, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!number->isEnabled(), kPatience_ms);
+        QVERIFY(!qobject_cast<QAbstractButton*>(m_site->window->focusWidget()));
+        QVERIFY(pressUntil(Qt::Key_Return, [&] { return stored().size() == trial; }));
+        QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("gate.password")));
+    }
+    QVERIFY(tests::sittingButton(screen, "trials.experimenter")->focusPolicy() == Qt::NoFocus);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// From what plays and from the limits by which trials are judged, not from the frozen text.
+void TestParticipantPage::whatTheStationDoesIsSaid() {
+    const QLocale locale(QLocale::English);
+    psychophysics::StudyDesign design = tests::smallStudy("says");
+    design.trial.maskingSound = true;
+    design.fidelity.peakForce_N = 3.5;
+    design.fidelity.meanSpeed_m_per_s = 0.08;
+    const psychophysics::Condition& tube = design.conditions[0];
+    const QString heard = desktop::sittingSentences(design, tube, true, locale);
+    const QString silent = desktop::sittingSentences(design, tube, false, locale);
+    QVERIFY2(heard.contains(QStringLiteral("noise")) && heard.endsWith(silent), qPrintable(heard));
+    QVERIFY2(!silent.contains(QStringLiteral("noise")) && silent.startsWith(QStringLiteral("Pull")) &&
+                 silent.contains(QStringLiteral("3.5 N")) &&
+                 silent.contains(QStringLiteral("8 cm per second")),
+             qPrintable(silent));
+    psychophysics::Condition pad = tube;
+    pad.stimulus.attribute = psychophysics::Attribute::friction;
+    QVERIFY(desktop::sittingSentences(design, pad, false, locale).startsWith(QStringLiteral("Press")));
+    QVERIFY(!desktop::participantSentences(design, QStringLiteral("en"))
+                 .join(QLatin1Char(' '))
+                 .contains(QStringLiteral("noise")));
+
+    const QByteArray before = qgetenv("CHIRON_NO_SOUND");
+    qputenv("CHIRON_NO_SOUND", "1");
+    prepare("says", [&](psychophysics::StudyDesign& made) {
+        made.trial.maskingSound = true;
+        made.fidelity.peakForce_N = design.fidelity.peakForce_N;
+        made.fidelity.meanSpeed_m_per_s = design.fidelity.meanSpeed_m_per_s;
+    });
+    desktop::TrialsScreen* screen = sit();
+    before.isEmpty() ? qunsetenv("CHIRON_NO_SOUND") : qputenv("CHIRON_NO_SOUND", before);
+    QVERIFY(screen);
+    QVERIFY2(said(screen, "break.text").contains(silent) &&
+                 !said(screen, "break.text").contains(QStringLiteral("noise")),
+             qPrintable(said(screen, "break.text")));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// The experimenter reads why the run is not done; the participant's page is that of every end.
+void TestParticipantPage::aSessionThatEndsByItselfIsTold() {
+    prepare("by_itself");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    screen->live()->training().post(core::CommandKind::end);
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QCOMPARE(said(screen, "break.text"), QStringLiteral("Please call the experimenter."));
+    QVERIFY(!qobject_cast<QAbstractButton*>(m_site->window->focusWidget())); // no key presses anything
+    const auto* note = screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"));
+    QVERIFY2(note->text().contains(QStringLiteral("ended by itself")) &&
+                 note->text().contains(QStringLiteral("All answered trials are kept")),
+             qPrintable(note->text()));
+    QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
 /// The second press of two was meant for the page that is gone.
@@ -571,6 +696,45 @@ void TestParticipantPage::aPilotIsNamed() {
                  pilot);
         QVERIFY(tests::stopSitting(*m_site, screen));
     }
+}
+
+/// Esc does what the help says, as in any run; and help, question and what is said afterwards agree.
+void TestParticipantPage::aPilotIsAskedBeforeItStops() {
+    prepare("asked_pilot", [](psychophysics::StudyDesign& design) { design.pilotOf = "draft"; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    const QString what = QStringLiteral("does not count as data of the study");
+    QVERIFY(screen->help().contains(QStringLiteral("asks whether to stop")) &&
+            screen->help().contains(what) && !screen->help().contains(QStringLiteral("trials are kept")));
+    QStringList told;
+    QObject hears; // no longer than what it writes to
+    connect(&m_site->context.messages(), &desktop::Messages::told, &hears,
+            [&told](const desktop::Message& message) { told << message.text; });
+    press(Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::stopped, kPatience_ms);
+    QString asked;
+    const auto answerWith = [&](const char* name) {
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            auto* button = m_site->find<QPushButton>(QLatin1String(name));
+            if (!button)
+                return;
+            asked = m_site->find<QMessageBox>(QStringLiteral("trials.ask"))->informativeText();
+            button->click();
+        });
+        look.start(100);
+        press(Qt::Key_Escape);
+    };
+    answerWith("trials.ask.keep");
+    QVERIFY2(asked.contains(what), qPrintable(asked));
+    QVERIFY(!screen->live()->finished());
+    asked.clear();
+    answerWith("trials.ask.stop");
+    QVERIFY2(asked.contains(what), qPrintable(asked));
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
+    QVERIFY2(told.join(QLatin1Char('|')).contains(what), qPrintable(told.join(QLatin1Char('|'))));
 }
 
 /// `chiron --study KEY --person CODE`.

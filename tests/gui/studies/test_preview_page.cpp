@@ -4,7 +4,9 @@
 #include "desktop/studies/preview_page.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/made_study.h"
 #include "support/patience.h"
 #include "support/settled.h"
@@ -44,6 +46,7 @@ private slots:
     void cleanupTestCase() { m_site.reset(); }
     void aComparisonHasItsAssumptions();
     void whatIsAssumedDecidesWhatIsFound();
+    void theCurveHasItsErrors();
     void oneConditionComparesNothing();
     void itsWordsFit();
 
@@ -71,8 +74,9 @@ private:
             all << label->text();
         return all;
     }
-    QString ratioText(double ratio) const {
-        return QStringLiteral("× %1").arg(desktop::study_words::number(ratio, m_site->context.locale()));
+    QString ratioText(double ratio, double error) const {
+        return QStringLiteral("× %1").arg(
+            desktop::study_words::withError(ratio, error, m_site->context.locale()));
     }
 
     std::unique_ptr<tests::DesktopFixture> m_site;
@@ -113,12 +117,13 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).size(), 2);
     const QList<QLabel*> labels = detectable();
     QCOMPARE(labels.size(), 2);
-    std::vector<double> runSd; // the same runs, asked for without the screen
+    std::vector<double> runSd, runSdError; // the same runs, asked for without the screen
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
         const auto result = desktop::previewCondition(design, i, {.weber = 0.1, .lapse = 0.02}, kRuns,
                                                       [](double) { return true; });
         QVERIFY2(result, result ? "" : result.error().message.c_str());
         runSd.push_back(result->plan.sdLog10);
+        runSdError.push_back(result->plan.sdError);
     }
     psychophysics::PowerQuestion question;
     question.participants = 6;
@@ -126,9 +131,13 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     const auto told = [&] {
         for (std::size_t i = 0; i < runSd.size(); ++i) {
             question.runSdLog10 = runSd[i];
-            const double ratio = psychophysics::detectableRatio(question, wanted);
+            const auto smallest = [&](const psychophysics::PowerQuestion& asked) {
+                return psychophysics::detectableRatio(asked, wanted);
+            };
+            const double ratio = smallest(question);
+            const double error = psychophysics::figureError(question, runSdError[i], smallest);
             if (labels[static_cast<int>(i)]->text() !=
-                (std::isfinite(ratio) ? ratioText(ratio) : QStringLiteral("none up to × 10")))
+                (std::isfinite(ratio) ? ratioText(ratio, error) : QStringLiteral("none up to × 10")))
                 return QStringLiteral("%1 instead of %2").arg(labels[static_cast<int>(i)]->text()).arg(ratio);
         }
         return QString();
@@ -136,6 +145,7 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(told(), QString());
     const auto after = [&](const char* field, double value) { find<QDoubleSpinBox>(field)->setValue(value); };
     const QString before = labels[0]->text();
+    QVERIFY2(before.contains(QStringLiteral(" ± ")), qPrintable(before));
     after("preview.alpha", 0.1);
     question.alpha = 0.001;
     QCOMPARE(told(), QString());
@@ -165,6 +175,23 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QVERIFY(!texts().filter(QStringLiteral("±: one standard error")).isEmpty());
 }
 
+/// Of the curve, too: of its middle and of both ends of its band, at every number of trials.
+void TestPreviewPage::theCurveHasItsErrors() {
+    const psychophysics::StudyDesign design = twoConditions();
+    const auto result = desktop::previewCondition(design, 0, {.weber = 0.1, .lapse = 0.02}, kRuns,
+                                                  [](double) { return true; });
+    QVERIFY2(result, result ? "" : result.error().message.c_str());
+    QVERIFY(result->curve.size() >= 3);
+    for (const desktop::PreviewPoint& point : result->curve)
+        QVERIFY(point.weberError > 0.0 && point.lowError > 0.0 && point.highError > 0.0);
+    show(design);
+    preview();
+    // A plot has no meta-object of its own.
+    const auto* plot = dynamic_cast<report::PlotView*>(find<QWidget>("preview.plot"));
+    QVERIFY(plot && plot->legendTexts().contains(QStringLiteral("± one standard error")));
+    QCOMPARE(plot->legendTexts().filter(QStringLiteral("standard error")).size(), 1);
+}
+
 void TestPreviewPage::oneConditionComparesNothing() {
     psychophysics::StudyDesign design = twoConditions();
     design.conditions.resize(1);
@@ -178,7 +205,11 @@ void TestPreviewPage::oneConditionComparesNothing() {
 
 void TestPreviewPage::itsWordsFit() {
     QStringList findings;
-    for (const auto& [language, scale] : {std::pair{"de", 2.0}, std::pair{"el", 2.0}, std::pair{"de", 1.0}}) {
+    std::vector<std::pair<const char*, double>> looks;
+    for (const char* language : tests::otherLanguages())
+        looks.emplace_back(language, 2.0);
+    looks.emplace_back("de", 1.0);
+    for (const auto& [language, scale] : looks) {
         m_site->settings.setLanguage(QLatin1String(language));
         m_site->settings.setScale(scale);
         m_site->context.applyAppearance();

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the researcher's screens that need no site: forms, drafts, words.
+#include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/freeze_checks.h"
+#include "desktop/studies/levels_table.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/quantity_text.h"
 #include "desktop/studies/study_draft.h"
+#include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_data/replaced_folder.h"
 #include "desktop/study_run/experimenter_panel.h"
@@ -28,9 +31,12 @@
 #include <QLineEdit>
 #include <QRadioButton>
 #include <QSpinBox>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <qcustomplot.h>
+
 #include <qcustomplot.h>
 
 using namespace chiron;
@@ -48,8 +54,15 @@ private slots:
     void requiredItemsAreMissed();
     void previewKnowsItsObserver();
     void numbersWithUnits();
+    void neighboursReadDifferently();
+    void aTableOfLevelsTellsItsObjectsApart();
+    void shortNamesAreMadeOfTitles();
+    void theUsualConsentIsNotShort();
+    void rangesOfProceduresAreThoseThatAreTaken_data();
+    void rangesOfProceduresAreThoseThatAreTaken();
     void controlsOfALineAreLevel();
     void experimentersAreBlindToForces();
+    void oneProcedureNeedsNoLegend();
     void fieldsTakeNoMoreRoomThanTheyNeed();
     void intervalsAreNoHalves();
     void namesOfPlacesStandApart();
@@ -113,6 +126,24 @@ void TestStudyParts::namesOfPlacesStandApart() {
         for (const double between : {-0.5, 0.5})
             QVERIFY2(!covered(258 + between * apart, 262 + between * apart),
                      qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
+    }
+}
+
+/// The legend beside the experimenter's estimate names the procedures, so that a single one needs none.
+void TestStudyParts::oneProcedureNeedsNoLegend() {
+    for (const std::size_t procedures : {std::size_t{1}, std::size_t{2}}) {
+        desktop::ExperimenterPanel panel(m_theme, m_locale);
+        session::LiveStudyNumbers numbers;
+        numbers.scored = 1;
+        numbers.estimates.resize(procedures);
+        for (psychophysics::ProcedureEstimate& estimate : numbers.estimates) {
+            estimate.known = true;
+            estimate.parameters = {{"log10_sigma", -1.2, 0.1, -1.4, -1.0}};
+        }
+        panel.show(session::LiveStudyView{}, numbers, psychophysics::Condition{});
+        const auto* plot = panel.findChild<QCustomPlot*>();
+        QVERIFY(plot && plot->legend);
+        QCOMPARE(plot->legend->visible(), procedures > 1);
     }
 }
 
@@ -216,9 +247,14 @@ void TestStudyParts::listsAreRead() {
     QVERIFY(std::abs(desktop::study_words::ratioOf(both[4]) - 0.2) < 1e-12 && both[0] == -both[4]);
 }
 
+/// With each task there is one to begin with.
 void TestStudyParts::plainStudyReads() {
-    const auto read = catalogue::readStudy(catalogue::studyJson(desktop::plainStudy()), "plain");
-    QVERIFY2(read, read ? "" : read.error().message.c_str());
+    for (int task = 0; task < psychophysics::kTasks; ++task) {
+        const psychophysics::StudyDesign plain = desktop::plainStudy(static_cast<Task>(task));
+        const auto read = catalogue::readStudy(catalogue::studyJson(plain), plain.id);
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        QCOMPARE(static_cast<int>(read->conditions.front().task), task);
+    }
 }
 
 void TestStudyParts::everyUsualProcedureReads_data() {
@@ -287,6 +323,123 @@ void TestStudyParts::numbersWithUnits() {
     QCOMPARE(plainNumber(3.5, m_locale), QStringLiteral("3.5"));
     QCOMPARE(session_report::warningWords({psychophysics::WarningKind::noMarks}),
              QStringLiteral("There is no mark to summarise."));
+}
+
+/// As many digits as tell neighbours apart, and no more than usual where three do.
+void TestStudyParts::neighboursReadDifferently() {
+    using namespace desktop::study_words;
+    const auto stiffness = psychophysics::Attribute::stiffness;
+    QCOMPARE(
+        values({153.06, 153.31, 153.57}, stiffness, m_locale),
+        (QStringList{QStringLiteral("153.1 N/m"), QStringLiteral("153.3 N/m"), QStringLiteral("153.6 N/m")}));
+    QCOMPARE(values({300.0, 306.0, 480.0}, stiffness, m_locale),
+             (QStringList{QStringLiteral("300 N/m"), QStringLiteral("306 N/m"), QStringLiteral("480 N/m")}));
+    // What is the same need not differ, also if it was computed in two ways.
+    QCOMPARE(values({300.0, 300.0, 3.0 * (100.0 + 1e-12)}, stiffness, m_locale).join(QLatin1Char('|')),
+             QStringLiteral("300 N/m|300 N/m|300 N/m"));
+    QCOMPARE(percents({0.0200, 0.0204}, m_locale),
+             (QStringList{QStringLiteral("2.00 %"), QStringLiteral("2.04 %")}));
+    QCOMPARE(interval(0.081, 0.12, m_locale), QStringLiteral("0.0810 … 0.120"));
+    QCOMPARE(interval(0.12341, 0.12344, m_locale), QStringLiteral("0.12341 … 0.12344"));
+    QCOMPARE(intervalPercent(0.12341, 0.12344, m_locale), QStringLiteral("12.341 … 12.344 %"));
+    QVERIFY(intervalPercent(0.1, std::nan(""), m_locale).isEmpty());
+}
+
+void TestStudyParts::aTableOfLevelsTellsItsObjectsApart() {
+    psychophysics::StimulusDesign stimulus;
+    stimulus.reference = 150.0;
+    std::vector<double> percents;
+    for (const double difference : desktop::differencesBetween(0.02, 0.6, 40))
+        percents.push_back(100.0 * desktop::study_words::ratioOf(difference));
+    percents.push_back(percents.back() + 1e-3);
+    desktop::LevelsTable levels(
+        m_theme, m_locale, false, QStringLiteral("levels"), percents,
+        [&](const std::vector<double>& of) { return desktop::objectsOf(stimulus, of, m_locale); });
+    auto* table = levels.findChild<QTableWidget*>(QStringLiteral("levels.table"));
+    QVERIFY(table && table->rowCount() == 41);
+    for (int row = 1; row < table->rowCount(); ++row)
+        for (int column : {0, 1})
+            QVERIFY2(table->item(row, column)->text() != table->item(row - 1, column)->text(),
+                     qPrintable(table->item(row, column)->text()));
+    // A row that is emptied is told, and nothing is taken from the others.
+    QSignalSpy unread(&levels, &desktop::LevelsTable::unread);
+    QSignalSpy changed(&levels, &desktop::LevelsTable::changed);
+    table->item(3, 0)->setText({});
+    QCOMPARE(changed.count(), 0);
+    QVERIFY(!unread.isEmpty() && unread.last().front().toString().contains(QStringLiteral("empty")));
+    table->item(3, 0)->setText(QStringLiteral("2.4"));
+    QCOMPARE(changed.count(), 1);
+    const auto now = changed.last().front().value<std::vector<double>>();
+    QVERIFY(now.size() == 41 && now[3] == 2.4 && now[0] == percents[0]); // the others unrounded
+}
+
+void TestStudyParts::shortNamesAreMadeOfTitles() {
+    using desktop::isMadeOf;
+    QCOMPARE(desktop::shortNameOf(QStringLiteral("60 Tübes, of 1.5 N/m!")),
+             QStringLiteral("tubes_of_1_5_n_m"));
+    QVERIFY(desktop::shortNameOf(QStringLiteral("Σωλήνας")).isEmpty());
+    QCOMPARE(
+        desktop::freeShortName(QStringLiteral("tube"), {QStringLiteral("tube"), QStringLiteral("tube_2")}),
+        QStringLiteral("tube_3"));
+    const QString title = QStringLiteral("Tube of 60 N/m");
+    for (const char* name : {"tube_60", "tube_60_2", "tube_of_60_n_m", "tube"})
+        QVERIFY2(isMadeOf(QLatin1String(name), title), name);
+    for (const char* name : {"soft", "tube_120", "60_tube", "tub"})
+        QVERIFY2(!isMadeOf(QLatin1String(name), title), name);
+    QVERIFY(isMadeOf(QStringLiteral("sphere_20mm"), QStringLiteral("Sphere of 20 mm radius")));
+}
+
+/// What a new study begins with is what the templates have; a line is still told to be short.
+void TestStudyParts::theUsualConsentIsNotShort() {
+    psychophysics::StudyDesign design = desktop::plainStudy();
+    const auto templates = catalogue::StudyCatalogue::load();
+    QVERIFY(templates && !templates->studies().empty());
+    for (const psychophysics::StudyDesign& each : templates->studies())
+        QCOMPARE(each.consent.at("en"), design.consent.at("en"));
+    const auto state = [&] {
+        for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, {}, m_locale))
+            if (each.name == QStringLiteral("consent"))
+                return each.state;
+        return desktop::FreezeCheck::State::waiting;
+    };
+    QVERIFY(state() == desktop::FreezeCheck::State::good);
+    design.consent["en"] = "I take part of my own free will and may stop at any time.";
+    QVERIFY(state() == desktop::FreezeCheck::State::advice);
+}
+
+void TestStudyParts::rangesOfProceduresAreThoseThatAreTaken_data() {
+    everyUsualProcedureReads_data();
+}
+
+/// The range that stands below a number is the one that the field takes, and a number beyond it is told.
+void TestStudyParts::rangesOfProceduresAreThoseThatAreTaken() {
+    QFETCH(int, task);
+    const auto plain = [](QString text) { return text.remove(QLatin1Char(',')); };
+    for (const std::string& kind : psychophysics::kindsFor(static_cast<Task>(task))) {
+        psychophysics::StudyDesign study = desktop::plainStudy(static_cast<Task>(task));
+        psychophysics::Condition& condition = study.conditions.front();
+        condition.procedures = {psychophysics::usualProcedure(kind, condition)};
+        desktop::StudyDraft draft;
+        draft.load(study);
+        desktop::ProcedureForm form(m_theme, m_locale, false, draft, {});
+        form.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&form));
+        for (QSpinBox* field : form.findChildren<QSpinBox*>()) {
+            const QString name = field->objectName();
+            const auto* meaning = form.findChild<QLabel*>(name + QStringLiteral(".meaning"));
+            QVERIFY2(meaning, qPrintable(name));
+            const QString range = QStringLiteral("%1 to %2").arg(field->minimum()).arg(field->maximum());
+            QVERIFY2(plain(meaning->text()).contains(range), qPrintable(name + QStringLiteral(": ") + range));
+            const int before = field->value();
+            const int most = field->maximum();
+            field->selectAll();
+            QTest::keyClicks(field, QString::number(most + 1LL));
+            QTest::keyClick(field, Qt::Key_Return);
+            QCOMPARE(field->value(), before);
+            QVERIFY2(plain(form.faultOf(name)).contains(QString::number(most)),
+                     qPrintable(form.faultOf(name)));
+        }
+    }
 }
 
 // A low field beside a high button, and below them what did not fit any more.
@@ -398,6 +551,36 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
     typeInto(whole, QStringLiteral("15"));
     QCOMPARE(trials, 15);
     QVERIFY(grid->firstUnread().isEmpty());
+    typeInto(whole, QStringLiteral("101")); // not 10 either, which is how it begins
+    QCOMPARE(trials, 15);
+    QVERIFY2(grid->faultOf(QStringLiteral("trials")).contains(QStringLiteral("from 0 to 100")),
+             qPrintable(grid->faultOf(QStringLiteral("trials"))));
+    typeInto(whole, QStringLiteral("16"));
+    // An emptied field does not get its number back without a word.
+    for (QAbstractSpinBox* emptied :
+         {static_cast<QAbstractSpinBox*>(field), static_cast<QAbstractSpinBox*>(whole)}) {
+        emptied->setFocus();
+        emptied->selectAll();
+        QTest::keyClick(emptied, Qt::Key_Delete);
+        QTest::keyClick(emptied, Qt::Key_Return);
+        QVERIFY2(grid->faultOf(emptied->objectName()).contains(QStringLiteral("still set")),
+                 qPrintable(grid->faultOf(emptied->objectName())));
+    }
+    QCOMPARE(taken, 120.0);
+    QCOMPARE(trials, 16);
+    // Each number of a list has its range, too.
+    std::vector<double> shares{2.0};
+    auto* list = grid->list(QStringLiteral("Shares"), QStringLiteral("shares"), shares,
+                            [&](std::vector<double> now) { shares = std::move(now); },
+                            {0, 100, 1, QStringLiteral("%")});
+    list->selectAll();
+    QTest::keyClicks(list, QStringLiteral("5; 120"));
+    QVERIFY2(grid->faultOf(QStringLiteral("shares")).contains(QStringLiteral("from 0 to 100 %")),
+             qPrintable(grid->faultOf(QStringLiteral("shares"))));
+    QCOMPARE(shares, (std::vector<double>{5.0, 12.0})); // as far as it was read
+    QTest::keyClick(list, Qt::Key_Backspace);
+    QVERIFY(grid->faultOf(QStringLiteral("shares")).isEmpty());
+    QCOMPARE(shares, (std::vector<double>{5.0, 12.0}));
 }
 
 /// Before anything is frozen: masking that nobody would hear, or that is off, and objects that count from a

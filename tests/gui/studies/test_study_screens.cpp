@@ -7,6 +7,7 @@
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QCheckBox>
@@ -94,9 +95,9 @@ void TestStudyScreens::emptyStates() {
 void TestStudyScreens::draftFromPlain() {
     go("studies");
     click("studies.new");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")),
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_rank3")),
                              kPatience_ms);
-    click("new_study.template.new_study");
+    click("new_study.template.new_rank3");
     m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->setText(QStringLiteral("first_study"));
     QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited",
                               Q_ARG(QString, QStringLiteral("first_study")));
@@ -628,7 +629,7 @@ void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.
 void TestStudyScreens::theTableOfTrialsFits() {
     constexpr int kReadable_px = 120; // "Zählt", "Practice" and the beginning of a reason
-    for (const char* language : {"de", "el", "en"}) {
+    for (const char* language : tests::languagesEnglishLast()) {
         m_site->settings.setLanguage(QLatin1String(language));
         go("study_data", {{QStringLiteral("study"), qlonglong(m_data)},
                           {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});

@@ -2,6 +2,7 @@
 // A sitting: instructions, trials by keyboard, stop, and on again at the same trial.
 #include "desktop/study_run/trials_screen.h"
 #include "desktop/widgets/state_panel.h"
+#include "support/languages.h"
 #include "support/patience.h"
 #include "support/sitting_hands.h"
 
@@ -207,7 +208,7 @@ void TestStudyTrials::refusalsOfADeviceHaveWords() {
     version.otherVersion = true;
     const session::SittingError other({core::ErrorCode::notFound, "nobody"});
     QStringList told;
-    for (const char* language : {"en", "de", "el"}) {
+    for (const char* language : tests::languageIds()) {
         m_site->settings.setLanguage(QLatin1String(language));
         m_site->context.applyAppearance();
         for (const session::SittingError* error : {&none, &less, &stiff, &version}) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every template in every language says what its settings do; and once a setting is changed, what says
 // otherwise is found.
+#include "catalogue/language_words.h"
 #include "catalogue/study_catalogue.h"
+#include "core/languages.h"
 #include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/text_claims.h"
@@ -33,7 +35,14 @@ std::set<QString> languagesOf(const std::vector<FalseClaim>& claims, FalseClaim:
     return languages;
 }
 
-const std::set<QString> kAll{QStringLiteral("de"), QStringLiteral("el"), QStringLiteral("en")};
+std::set<QString> allLanguages() {
+    std::set<QString> ids;
+    for (const std::string& id : core::languageIds())
+        ids.insert(QString::fromStdString(id));
+    return ids;
+}
+
+const std::set<QString> kAll = allLanguages();
 
 } // namespace
 
@@ -53,6 +62,8 @@ private slots:
     void anotherCriterionIsFound();
     void aConditionIsMeasuredByItsOwnSettings();
     void timeAndTrialsAreFound();
+    void everyLanguagesWordsAreFound_data();
+    void everyLanguagesWordsAreFound();
     void otherTextsStand();
     void freezingSaysSo();
     void freezingCountsParticipants_data();
@@ -147,13 +158,59 @@ void TestTextClaims::timeAndTrialsAreFound() {
     design.ownInstructions = psychophysics::StudyText{{"en", "Take as long as you like."},
                                                       {"de", "Sie haben 45 Sekunden."},
                                                       {"el", "Υπάρχουν 12 δοκιμές."}};
-    QVERIFY(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll);
+    QVERIFY((languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) ==
+             std::set<QString>{QStringLiteral("de"), QStringLiteral("el"), QStringLiteral("en")}));
     design.trial.exploreLimit_s = 0.0; // then one may take as long as one likes, and 45 s are nothing still
     QCOMPARE(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions),
              (std::set<QString>{QStringLiteral("de"), QStringLiteral("el")}));
     design.trial.answerLimit_s = 45.0;
     design.trial.breakEvery = 12;
     QVERIFY(desktop::falseClaims(design, kEnglish).empty());
+}
+
+void TestTextClaims::everyLanguagesWordsAreFound_data() {
+    QTest::addColumn<QString>("language");
+    for (const QString& language : kAll)
+        QTest::newRow(qPrintable(language)) << language;
+}
+
+/// Every word of translations/words, in a text that says what is not set.
+void TestTextClaims::everyLanguagesWordsAreFound() {
+    QFETCH(QString, language);
+    const catalogue::LanguageWords::Claims& words = catalogue::wordsOfLanguage(language.toStdString()).claims;
+    StudyDesign design = of("stiffness_elastic_tube");
+    design.objective = {{"en", "To see."}};
+    const auto found = [&](const QString& said) {
+        design.ownInstructions = psychophysics::StudyText{{language.toStdString(), said.toStdString()}};
+        return languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) ==
+               std::set<QString>{language};
+    };
+    for (const QStringList* counted : {&words.objects, &words.trials, &words.seconds})
+        for (const QString& each : *counted)
+            QVERIFY2(found(QStringLiteral("977 ") + each), qPrintable(each));
+    design.trial.exploreLimit_s = design.trial.answerLimit_s = 45.0;
+    design.trial.breakAtLeast_s = design.trial.betweenTrials_s = 45.0;
+    int numbers = 0;
+    for (const auto& [number, names] : words.numbers)
+        for (const QString& each : names) {
+            QVERIFY2(found(each + QLatin1Char(' ') + words.seconds.front()), qPrintable(each));
+            ++numbers;
+        }
+    QVERIFY(numbers >= 3);
+    const auto allFound = [&](const QStringList& statements) {
+        for (QString each : statements)
+            if (!found(each.replace(QLatin1Char('*'), QLatin1String("xyz"))))
+                return false;
+        return !statements.isEmpty();
+    };
+    design.trial.visibleObjects = true;
+    QVERIFY(allFound(words.objectsNotSeen));
+    design.trial.visibleObjects = false;
+    QVERIFY(allFound(words.objectsSeen));
+    QVERIFY(allFound(words.timeNotLimited));
+    for (psychophysics::Condition& condition : design.conditions)
+        condition.criterion = 0.8;
+    QVERIFY(allFound(words.criterionThreeOfFour));
 }
 
 /// What is not understood is nobody's fault.

@@ -282,6 +282,32 @@ private slots:
         }
     }
 
+    /// In every exercise, at once: with what to do about it where somebody learns, and neutrally elsewhere.
+    /// What does not count as an error is not told; that a trial is over comes before it.
+    void tissueThatGaveWayIsTold() {
+        bool learnt = false, assessed = false;
+        for (const catalogue::Exercise& exercise : m_catalogue->exercises())
+            for (const catalogue::ExerciseLevel& level : exercise.levels) {
+                session::LiveSample sample = sampleOf(bits::kDamaged);
+                sample.phase = core::TrialPhase::running;
+                sample.yielded = true;
+                const QString words = said(level, 0, sample);
+                QVERIFY2(words.contains(QStringLiteral("the tissue gave way"), Qt::CaseInsensitive),
+                         level.id.c_str());
+                QCOMPARE(words.contains(QStringLiteral("Draw back")), level.feedback);
+                (level.feedback ? learnt : assessed) = true;
+                sample.events |= bits::kFailed;
+                QVERIFY(said(level, 0, sample).contains(QStringLiteral("no longer")));
+                sample.events = 0;
+                sample.paused = true;
+                QVERIFY(said(level, 0, sample).isEmpty());
+                sample.paused = false;
+                sample.phase = core::TrialPhase::ready;
+                QVERIFY(said(level, 0, sample).isEmpty());
+            }
+        QVERIFY(learnt && assessed);
+    }
+
     void anAssessmentTellsThatItWasTaken() {
         const catalogue::ExerciseLevel& level = *m_catalogue->find("sphere_apex", 5);
         QVERIFY(!level.feedback);

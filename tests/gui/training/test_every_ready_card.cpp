@@ -3,16 +3,21 @@
 #include "gui/training/training_bench.h"
 
 #include "app/exercises/object_handling/desktop/handling_grasping.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/grasping.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "report/report_text.h"
+#include "scoring/metric_catalogue.h"
 #include "session/level_limits.h"
+#include "support/languages.h"
 #include "support/patience.h"
+
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -24,15 +29,9 @@ QString newtons(double value_N) {
     return kEnglish.toString(value_N, 'g', 3) + QStringLiteral(" N");
 }
 
-/// The metric of a pass mark on a largest value, and the limit that is shown of it.
+/// The metric of a pass mark, and the limit that is shown of it.
 std::optional<double> shownLimit(const session::LevelLimits& limits, const std::string& metric) {
-    if (metric == "force_max")
-        return limits.force_N;
-    if (metric == "squeeze_max")
-        return limits.squeeze_N;
-    if (metric == "lateral_max")
-        return limits.lateral_N;
-    return metric == "retraction_max" ? limits.retraction_N : std::nullopt;
+    return metric == "force_max" ? limits.force_N : limits.of(metric);
 }
 } // namespace
 
@@ -41,12 +40,24 @@ class TestEveryReadyCard : public QObject {
 private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void theLimitShownIsTheOneThatCounts();
+    void everyPassMarkHasItsLine();
     void aPassMarkBesideItsLimitSaysWhy();
     void theTargetHasOneName();
     void goIsAlwaysInSight_data();
     void goIsAlwaysInSight();
 
 private:
+    /// Whether the scene of this level, with a mouse, may draw a mark that the exercise explains.
+    bool explainsMarks(const catalogue::ExerciseLevel& level) {
+        const session::LevelCues cues = session::cuesOf(level, false);
+        const std::vector<std::string> drawn =
+            scene3d::marksOf({desktop::sceneSetupOf(level, cues, m_bench.desktop.context.theme(), false),
+                              cues.coverage, level.feedback});
+        const auto& legend = m_bench.desktop.site.catalogue().find(level.exercise)->legend;
+        return std::any_of(legend.begin(), legend.end(), [&](const catalogue::LegendLine& line) {
+            return std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end();
+        });
+    }
     template <class Look> void everyLevel(Look look) {
         for (const catalogue::Exercise& exercise : m_bench.desktop.site.catalogue().exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels)
@@ -57,13 +68,22 @@ private:
 };
 
 void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
-    int gates = 0;
+    int gates = 0, others = 0;
     everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
         const session::LevelLimits limits = session::levelLimits(level);
         const QString card = desktop::limitsInWords(level, kEnglish).join(QLatin1Char('\n'));
-        for (const std::optional<double>& limit :
-             {std::optional(limits.force_N), limits.squeeze_N, limits.lateral_N, limits.retraction_N})
-            QVERIFY2(!limit || card.contains(newtons(*limit)), qPrintable(name + QLatin1Char('\n') + card));
+        QVERIFY2(card.contains(newtons(limits.force_N)), qPrintable(name + QLatin1Char('\n') + card));
+        // Each limit of the exercise's own metrics has its sentence, and each metric has one limit.
+        QCOMPARE(desktop::limitsInWords(level, kEnglish).size(),
+                 static_cast<qsizetype>(1 + limits.others.size()));
+        for (const auto& [metric, limit] : limits.others) {
+            ++others;
+            const auto* row = scoring::findMetric(metric);
+            QVERIFY2(row && limits.of(metric) == limit, std::string(metric).c_str());
+            QVERIFY2(card.contains(kEnglish.toString(limit, 'g', 3) + QLatin1Char(' ') +
+                                   QString::fromUtf8(row->unit.data(), qsizetype(row->unit.size()))),
+                     qPrintable(name + QLatin1Char('\n') + card));
+        }
         for (const QString& line : desktop::limitsInWords(level, kEnglish)) // the set-up screen says the same
             QVERIFY2(desktop::levelFacts(level, kEnglish).contains(line),
                      qPrintable(name + QStringLiteral(": ") + line));
@@ -88,7 +108,7 @@ void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
         QVERIFY2(!stricter || desktop::gatesInWords(level, kEnglish).filter(timed).isEmpty(),
                  qPrintable(name));
         if (const auto* handling = level.parameters.find<simulation::ObjectHandlingParameters>())
-            QCOMPARE(limits.squeeze_N.value_or(0.0),
+            QCOMPARE(limits.of("squeeze_max").value_or(0.0),
                      handling->squeezeLimit_N); // as the bar, the damage and the time over it have it
         // The scene's arrow and gauges, too.
         QCOMPARE(desktop::sceneSetupOf(level, session::cuesOf(level, false), m_bench.desktop.context.theme(),
@@ -97,6 +117,31 @@ void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
                  limits.force_N);
     });
     QVERIFY(gates >= 3); // a squeeze, a force, a pull: content without any would prove nothing
+    QVERIFY(others >= 4);
+}
+
+/// The lines are in the level's order. Only the time over the force limit has none, and only where another
+/// pass mark is stricter than that limit.
+void TestEveryReadyCard::everyPassMarkHasItsLine() {
+    int told = 0, implied = 0;
+    const auto titleOf = [](const QString& line) { return line.section(QLatin1Char(':'), 0, 0); };
+    everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
+        const auto kind = session::exerciseKind(level.exercise);
+        QVERIFY(kind);
+        const bool stricter = session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);
+        QStringList expected, titles;
+        for (const scoring::Gate& gate : level.gates) {
+            const bool ofTime = gate.metric == "force_time_over_limit";
+            told += ofTime && !stricter ? 1 : 0;
+            implied += ofTime && stricter ? 1 : 0;
+            if (!ofTime || !stricter)
+                expected << titleOf(desktop::gateInWords(gate, kEnglish));
+        }
+        for (const QString& line : desktop::gatesInWords(level, kEnglish))
+            titles << titleOf(line);
+        QVERIFY2(titles == expected, qPrintable(name + QStringLiteral(": ") + titles.join(u'|')));
+    });
+    QVERIFY(told >= 1 && implied >= 1); // content without both would prove nothing
 }
 
 void TestEveryReadyCard::aPassMarkBesideItsLimitSaysWhy() {
@@ -146,9 +191,8 @@ void TestEveryReadyCard::theTargetHasOneName() {
             const QString told = grasping.step(cues, kEnglish);
             QVERIFY2(told.contains(QStringLiteral("ring")), qPrintable(name + QStringLiteral(": ") + told));
             words += QLatin1Char(' ') + told;
-            const std::optional<double> end_mm =
-                session::levelLimits(level)
-                    .placement_mm; // told where it is judged, before and while it is done
+            const std::optional<double> end_mm = session::levelLimits(level).of(
+                "placement_error"); // told where it is judged, before and while it is done
             const QString end = QStringLiteral("%1 mm").arg(kEnglish.toString(end_mm.value_or(0.0), 'g', 3));
             QVERIFY2(!end_mm || (desktop::limitsInWords(level, kEnglish).filter(end).size() == 1 &&
                                  (step[0] != 'p' || told.contains(end))),
@@ -164,12 +208,13 @@ void TestEveryReadyCard::theTargetHasOneName() {
 void TestEveryReadyCard::goIsAlwaysInSight_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<double>("scale");
-    for (const char* language : {"en", "de", "el"})
+    for (const char* language : tests::languageIds())
         for (const double scale : {1.0, 2.0})
             QTest::addRow("%s, %.0f %%", language, scale * 100) << QString(QLatin1String(language)) << scale;
 }
 
-/// In the smallest window, on the card as it first comes and on the whole one.
+/// In the smallest window, on the first card, which says what counts and what the marks mean, and on the
+/// brief and the whole one.
 void TestEveryReadyCard::goIsAlwaysInSight() {
     QFETCH(QString, language);
     QFETCH(double, scale);
@@ -198,6 +243,19 @@ void TestEveryReadyCard::goIsAlwaysInSight() {
         m_bench.show({{QStringLiteral("exercise"), QString::fromStdString(level.exercise)},
                       {QStringLiteral("level"), level.number}});
         look(name);
+        const auto* gates = window.findChild<QLabel*>(QStringLiteral("training.ready.gates"));
+        QVERIFY2(gates && !gates->text().isEmpty(), qPrintable(name));
+        const auto* marks = window.findChild<QLabel*>(QStringLiteral("training.ready.marks"));
+        QVERIFY2((marks != nullptr) == explainsMarks(level), qPrintable(name));
+        const desktop::TrainingPlan plan = desktop::TrainingPlan::fromMap(
+            {{QStringLiteral("exercise"), QString::fromStdString(level.exercise)},
+             {QStringLiteral("level"), level.number}});
+        m_bench.desktop.settings.setOfPerson(m_bench.desktop.context.actor().personId(),
+                                             desktop::readyKey(plan), true);
+        m_bench.desktop.go(QStringLiteral("training"), plan.toMap());
+        look(name + QStringLiteral(", brief"));
+        m_bench.desktop.settings.setOfPerson(m_bench.desktop.context.actor().personId(),
+                                             desktop::readyKey(plan), false);
         auto* more = window.findChild<QPushButton*>(QStringLiteral("training.ready.more"));
         QVERIFY2(more, qPrintable(name));
         more->click();

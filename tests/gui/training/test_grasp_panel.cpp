@@ -64,7 +64,8 @@ private slots:
         core::LaparoscopyCues over;
         over.step = LaparoscopyStep::place;
         session::LevelLimits limits;
-        limits.placement_mm = 5.0; // who sets it down knows how far from the middle is too far
+        limits.others = {
+            {"placement_error", 5.0}}; // who sets it down knows how far from the middle is too far
         QVERIFY(handlingGrasping(handling, limits)
                     .step(over, QLocale(QLocale::English))
                     .contains(QStringLiteral("5 mm")));

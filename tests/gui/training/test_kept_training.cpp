@@ -4,7 +4,7 @@
 // that nothing is of this run: no session begins, since the screen begins one when it has been painted. A
 // change that is meant is kept anew, and the difference is read in review: CHIRON_STORE_OUTLINES=1
 // QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_training
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/force_words.h"

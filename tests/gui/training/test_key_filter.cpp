@@ -43,6 +43,8 @@ private slots:
     void typingIsLeftAlone();
     void keysRestAfterTheSession();
     void keysOfTheToolAndOfTheExerciseAlone();
+    void theKeysOfThePanelMoveNothing();
+    void aToolKeyIsLetGoWithCtrlToo();
 };
 
 void TestKeyFilter::keysInTheNativeScene() {
@@ -153,6 +155,34 @@ void TestKeyFilter::keysOfTheToolAndOfTheExerciseAlone() {
     QTest::keyClicks(&keys.field, QStringLiteral("fw"));
     QCOMPARE(keys.field.text(), QStringLiteral("fw")); // typing is left alone
     QCOMPARE(depth.count(), 1);
+}
+
+/// Page Down lowers the tool; with Ctrl it reads on in the panel, wherever the focus is.
+void TestKeyFilter::theKeysOfThePanelMoveNothing() {
+    Keys keys;
+    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
+    QSignalSpy panel(&keys.filter, &KeyFilter::panelAsked);
+    QTest::keyPress(&keys.scene, Qt::Key_PageDown, Qt::ControlModifier);
+    QTest::keyPress(&keys.screen, Qt::Key_PageUp, Qt::ControlModifier);
+    QCOMPARE(panel.count(), 2);
+    QCOMPARE(panel.at(0).at(0).toBool(), true);
+    QCOMPARE(panel.at(1).at(0).toBool(), false);
+    QCOMPARE(tool.count(), 0);
+    QTest::keyPress(&keys.scene, Qt::Key_PageDown);
+    QCOMPARE(tool.count(), 1);
+    QCOMPARE(panel.count(), 2);
+}
+
+/// Whoever holds a key of the tool down, presses Ctrl and lets the key go does not leave the tool moving.
+void TestKeyFilter::aToolKeyIsLetGoWithCtrlToo() {
+    Keys keys;
+    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
+    QTest::keyPress(&keys.scene, Qt::Key_W);
+    QTest::keyRelease(&keys.scene, Qt::Key_W, Qt::ControlModifier);
+    QCOMPARE(tool.count(), 2);
+    QCOMPARE(tool.at(1).at(1).toBool(), false);
+    QTest::keyPress(&keys.scene, Qt::Key_W, Qt::ControlModifier); // a shortcut of somebody else
+    QCOMPARE(tool.count(), 2);
 }
 
 QTEST_MAIN(TestKeyFilter)

@@ -22,7 +22,7 @@
 
 using namespace chiron;
 using namespace chiron::desktop;
-using core::ReportField;
+using simulation::ReportField;
 
 namespace {
 
@@ -46,7 +46,7 @@ struct Bench {
         panel.setVisible(true);
         QObject::connect(&panel.findings(), &FindingsBox::reported, &panel,
                          [this](ReportField field, unsigned value) {
-                             sent.push_back(core::reportWord(field, value));
+                             sent.push_back(simulation::reportWord(field, value));
                              book.report(field, value);
                              answer();
                          });
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(bench.button("training.done")->text().contains(QStringLiteral("Nothing found")));
         bench.button("training.done")->click();
         QVERIFY(bench.book.done());
-        QCOMPARE(bench.sent, (std::vector<std::uint16_t>{core::reportWord(ReportField::done, 0)}));
+        QCOMPARE(bench.sent, (std::vector<std::uint16_t>{simulation::reportWord(ReportField::done, 0)}));
     }
 
     void onlyWhatTheLevelAsksIsThere() {

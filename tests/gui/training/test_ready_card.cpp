@@ -8,6 +8,9 @@
 #include "desktop/training/mouse_pictogram.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/training_words.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "support/languages.h"
 #include "support/patience.h"
 
 #include <QDialog>
@@ -59,6 +62,9 @@ private slots:
     void aKeyOfTheScenePressesNoButton();
     void whatIsHeldDownBeginsNothing();
     void theWholeCardIsReadWithTheKeys();
+    void theFirstCardIsReadWithSpace();
+    void theMovementsAreThoseOfTheDeviceInHand();
+    void howToChangeTheInstrumentIsOnTheCard();
     void practiceEndsWithoutAnyButtonInHand();
     void whoIsNewMayWatchFirst();
     void afterAPauseEnterMarks();
@@ -110,9 +116,9 @@ void TestReadyCard::saysWhatToDo() {
     QFETCH(QStringList, movements);
     TrainingBench bench;
     bench.show({{QStringLiteral("exercise"), exercise}});
-    QVERIFY(!bench.screen()->findChild<QLabel*>(
-        QStringLiteral("training.ready.gates"))); // first what it takes to begin
-    button(bench, "training.ready.more")->click();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::first);
+    QVERIFY(!bench.screen()->findChild<QPushButton*>(
+        QStringLiteral("training.ready.more"))); // nothing of it has to be looked for
     const catalogue::ExerciseLevel& level = levelOf(bench, qPrintable(exercise), 1);
     QCOMPARE(bench.text("training.ready.goal"), QString::fromStdString(level.goal.at("en")));
     QStringList named;
@@ -146,7 +152,7 @@ void TestReadyCard::everyLevelHasAGoal() {
     TrainingBench bench;
     for (const catalogue::Exercise& exercise : bench.desktop.site.catalogue().exercises())
         for (const catalogue::ExerciseLevel& level : exercise.levels)
-            for (const char* language : {"en", "de", "el"}) {
+            for (const char* language : tests::languageIds()) {
                 const auto goal = level.goal.find(language);
                 QVERIFY2(goal != level.goal.end(),
                          qPrintable(QString::fromStdString(exercise.id + " " + level.id)));
@@ -199,7 +205,6 @@ void TestReadyCard::aFirstMovementBegins() {
 void TestReadyCard::theButtonWithTheFocusIsPressed() {
     TrainingBench bench;
     bench.show();
-    button(bench, "training.ready.more")->click();
     QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
     auto* help = button(bench, "training.ready.help");
     help->setFocus();
@@ -236,7 +241,8 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     facts.offersDemonstration = true;
     facts.practised = practised ? QStringLiteral("The practice is over.") : QString();
     ReadyCard shown(bench.desktop.context.theme(), facts, static_cast<ReadyCard::Kind>(kind));
-    shown.setToolKeys(desktop::movementKeys(session::PointerTool::point));
+    shown.setToolKeys(
+        desktop::movementKeys(session::PointerTool::point, devices::HandKind::mouseAndKeyboard));
     int asked = 0;
     for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked,
                               &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
@@ -276,8 +282,12 @@ void TestReadyCard::theWholeCardIsReadWithTheKeys() {
     bench.desktop.settings.setScale(2.0);
     bench.desktop.window->resize(1280, 720);
     bench.desktop.context.applyAppearance();
+    bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(),
+                                       desktop::readyKey(desktop::TrainingPlan::fromMap(
+                                           {{QStringLiteral("exercise"), QStringLiteral("palpation")}})),
+                                       true);
     bench.show({{QStringLiteral("exercise"), QStringLiteral("palpation")}});
-    button(bench, "training.ready.more")->click();
+    button(bench, "training.ready.more")->click(); // of the brief card
     auto* page = card(bench)->findChild<QScrollArea*>(QStringLiteral("training.ready.page"));
     QVERIFY(page);
     QTRY_VERIFY_WITH_TIMEOUT(page->verticalScrollBar()->maximum() > 0, kPatience_ms);
@@ -287,6 +297,93 @@ void TestReadyCard::theWholeCardIsReadWithTheKeys() {
     QVERIFY(card(bench) && !bench.screen()->feed()); // and it is no first movement
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageUp);
     QCOMPARE(page->verticalScrollBar()->value(), 0);
+}
+
+/// The first card has everything on it, so it may be longer than the window. Space reads on to its end, and
+/// begins nothing; "Go" stays where it is. The arrow and page keys are first movements of the tool.
+void TestReadyCard::theFirstCardIsReadWithSpace() {
+    TrainingBench bench;
+    bench.desktop.settings.setScale(2.0);
+    bench.desktop.window->resize(1280, 720);
+    bench.desktop.context.applyAppearance();
+    bench.show({{QStringLiteral("exercise"), QStringLiteral("palpation")}});
+    auto* page = card(bench)->findChild<QScrollArea*>(QStringLiteral("training.ready.page"));
+    auto* more = card(bench)->findChild<QLabel*>(QStringLiteral("training.ready.read_on"));
+    QVERIFY(page && more);
+    QScrollBar& bar = *page->verticalScrollBar();
+    QTRY_VERIFY_WITH_TIMEOUT(bar.maximum() > 0 && more->isVisible(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
+    for (int presses = 0; presses < 50 && bar.value() < bar.maximum(); ++presses)
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QCOMPARE(bar.value(), bar.maximum());
+    const auto* last = card(bench)->findChild<QLabel*>(QStringLiteral("training.ready.keys"));
+    QVERIFY(last && !last->visibleRegion().isEmpty());
+    QVERIFY(card(bench) && !bench.screen()->feed());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space, Qt::ShiftModifier);
+    QVERIFY(bar.value() < bar.maximum());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageDown);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+}
+
+/// With mouse and keyboard the movements of both, with a device in hand those of its handle; and how to
+/// change what one hand moves, where it moves several.
+void TestReadyCard::theMovementsAreThoseOfTheDeviceInHand() {
+    using devices::HandKind;
+    using session::PointerTool;
+    const auto words = [](const std::vector<desktop::ControlHint>& hints) {
+        QString all;
+        for (const desktop::ControlHint& hint : hints)
+            all += hint.what + QLatin1Char('\n') + hint.how + QLatin1Char('\n');
+        return all;
+    };
+    const auto ofAHandle = [](desktop::Pictogram picture) {
+        return picture == desktop::Pictogram::moveStylus || picture == desktop::Pictogram::pressStylus ||
+               picture == desktop::Pictogram::stylusButton;
+    };
+    for (const PointerTool tool : {PointerTool::point, PointerTool::endoscope, PointerTool::grasper}) {
+        const auto mouse = desktop::controlGuide(tool, HandKind::mouseAndKeyboard);
+        const auto handle = desktop::controlGuide(tool, HandKind::handle, 2);
+        QCOMPARE(mouse.size(), std::size_t{3});
+        QCOMPARE(handle.size(), std::size_t{3}); // a handle for each instrument: nothing is changed
+        for (std::size_t i = 0; i < mouse.size(); ++i) {
+            QCOMPARE(handle[i].what, mouse[i].what);
+            QVERIFY(ofAHandle(handle[i].picture) && !ofAHandle(mouse[i].picture));
+        }
+        for (const char* word : {"mouse", "wheel", "Click", "arrow"})
+            QVERIFY2(!words(handle).contains(QLatin1String(word), Qt::CaseInsensitive), word);
+        QVERIFY(desktop::movementKeys(tool, HandKind::handle).empty());
+        QVERIFY(!desktop::movementKeys(tool, HandKind::mouseAndKeyboard).empty());
+        QVERIFY(!desktop::keysInWords(true, tool, 1, HandKind::handle).contains(QStringLiteral("mouse")));
+    }
+    QVERIFY(words(desktop::controlGuide(PointerTool::grasper, HandKind::mouseAndKeyboard, 2))
+                .contains(QStringLiteral("Press 1 for the right one")));
+    QVERIFY(words(desktop::controlGuide(PointerTool::grasper, HandKind::mouseAndKeyboard, 3))
+                .contains(QStringLiteral("1 to 3")));
+    QVERIFY(!words(desktop::controlGuide(PointerTool::grasper, HandKind::mouseAndKeyboard, 1))
+                 .contains(QStringLiteral("Change")));
+}
+
+/// On the card of every level on which one hand moves several instruments or fingers of both hands.
+void TestReadyCard::howToChangeTheInstrumentIsOnTheCard() {
+    TrainingBench bench;
+    int several = 0;
+    for (const catalogue::Exercise& exercise : bench.desktop.site.catalogue().exercises())
+        for (const catalogue::ExerciseLevel& level : exercise.levels) {
+            bench.show({{QStringLiteral("exercise"), QString::fromStdString(exercise.id)},
+                        {QStringLiteral("level"), level.number}});
+            QVERIFY(card(bench));
+            QString how;
+            for (auto* picture : card(bench)->findChildren<desktop::MousePictogram*>())
+                how += picture->parentWidget()->accessibleName() + QLatin1Char('\n');
+            const auto* palpation = level.parameters.find<simulation::PalpationParameters>();
+            const auto kind = session::exerciseKind(level.exercise);
+            const bool hands = palpation && palpation->hands > 1;
+            const bool instruments = !palpation && (*kind)->toolCount(level) > 1;
+            several += hands || instruments ? 1 : 0;
+            QVERIFY2(how.contains(QStringLiteral("Press H")) == hands, qPrintable(how));
+            QVERIFY2(how.contains(QStringLiteral("Change the instrument")) == instruments, qPrintable(how));
+        }
+    QVERIFY(several >= 3);
 }
 
 void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {

@@ -8,10 +8,12 @@
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/training_plan.h"
+#include "desktop/widgets/kit.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "support/painted_shapes.h"
 
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QWindow>
@@ -20,6 +22,29 @@
 
 using namespace chiron;
 using namespace chiron::desktop;
+
+namespace {
+
+/// The frame of a panel, around nothing.
+class BarePanel final : public InfoView {
+public:
+    BarePanel(const Theme& theme, bool measures) : InfoView(theme, {}, nullptr) {
+        addHead(kit::label(theme, QStringLiteral("words")));
+        addFoot({}, measures);
+    }
+    QString text(const char* name) const {
+        const auto* label = findChild<QLabel*>(QLatin1String(name));
+        return label ? label->text() : QString();
+    }
+    int moved = 0;
+    int read = 0;
+
+protected:
+    void showMoving(const haptics::DisplayState&, std::span<const session::LiveSample>) override { ++moved; }
+    void showReadings(const haptics::DisplayState&) override { ++read; }
+};
+
+} // namespace
 
 class TestTrainingParts : public QObject {
     Q_OBJECT
@@ -37,6 +62,8 @@ private slots:
     void heldKeysBecomeASpeed();
     void everyStateHasItsWords();
     void lateUpdatesAreToldAsAShare();
+    void aPanelCountsTheTimeWorked();
+    void aPanelSaysWhereNothingIsMeasured();
     void aPlanComesBackFromItsPlace();
 };
 
@@ -320,6 +347,39 @@ void TestTrainingParts::lateUpdatesAreToldAsAShare() {
              QStringLiteral("Recording complete; nothing is lost. 1.88 % of the force updates came late."));
     state.lateTicks = 1;
     QVERIFY(InfoPanel::loopText(state).contains(QStringLiteral("0.01 %")));
+}
+
+void TestTrainingParts::aPanelCountsTheTimeWorked() {
+    const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    BarePanel panel(theme, true);
+    QCOMPARE(panel.text("training.elapsed"), QStringLiteral("Elapsed: 0:00"));
+    std::vector<session::LiveSample> samples(62'000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i].phase = i < 1000 ? core::TrialPhase::idle : core::TrialPhase::between;
+        samples[i].paused = i >= 2000 && i < 2900;
+    }
+    panel.show({}, samples); // 60.1 s: neither before the first trial nor paused
+    QCOMPARE(panel.text("training.elapsed"), QStringLiteral("Elapsed: 1:00"));
+    for (int frame = 1; frame <= 6; ++frame)
+        panel.show({}, std::span(samples).subspan(2900, 1000));
+    QCOMPARE(panel.text("training.elapsed"), QStringLiteral("Elapsed: 1:06"));
+    QCOMPARE(panel.moved, 7); // in every frame
+    QCOMPARE(panel.read, 2);  // in the first and the seventh
+}
+
+void TestTrainingParts::aPanelSaysWhereNothingIsMeasured() {
+    const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    QVERIFY(BarePanel(theme, false).text("training.no_cues").contains(QStringLiteral("no measurements")));
+    BarePanel panel(theme, true);
+    QVERIFY(panel.text("training.no_cues").isEmpty());
+    const auto* loop = panel.findChild<QLabel*>(QStringLiteral("training.loop"));
+    QVERIFY(loop && loop->isHidden()); // a detail
+    haptics::DisplayState state;
+    state.droppedFrames = 3;
+    panel.show(state, {});
+    QVERIFY(!loop->isHidden()); // unless samples are lost
+    panel.setDetailed(true);
+    QVERIFY(!loop->isHidden());
 }
 
 void TestTrainingParts::everyStateHasItsWords() {

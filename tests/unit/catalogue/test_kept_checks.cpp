@@ -6,6 +6,7 @@
 
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
+#include "catalogue/comparison_content.h"
 #include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
@@ -13,9 +14,8 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "catalogue/whole_file.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QDir>
 #include <QFileInfo>

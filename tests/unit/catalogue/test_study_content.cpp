@@ -2,11 +2,11 @@
 #include "study_samples.h"
 
 #include "catalogue/canonical_json.h"
+#include "catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
-#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -31,6 +31,7 @@ private slots:
     void shippedStudiesRoundTrip();
     void schemaKnowsEveryKey();
     void shippedStudiesAreComplete();
+    void whatAReplayNeedsIsStored();
     void aSmallestForceIsPartOfTheDesign();
 };
 
@@ -134,15 +135,20 @@ void TestStudyContent::schemaKnowsEveryKey() {
 void TestStudyContent::shippedStudiesAreComplete() {
     using namespace psychophysics;
     const auto catalogue = StudyCatalogue::load(kContent.toStdString());
+    const auto inEveryLanguage = [](const StudyText& text) {
+        const auto languages = core::languageIds();
+        return std::all_of(languages.begin(), languages.end(),
+                           [&](const std::string& language) { return text.contains(language); });
+    };
     std::set<Attribute> ranked;
     std::set<Task> tasks;
     std::set<std::string> kinds;
     for (const StudyDesign& study : catalogue->studies()) {
         for (const StudyText* text : {&study.title, &study.objective, &study.instructions, &study.consent})
-            QVERIFY2(text->contains("en") && text->contains("de") && text->contains("el"), study.id.c_str());
+            QVERIFY2(inEveryLanguage(*text), study.id.c_str());
         QVERIFY(study.blindParticipant);
         for (const Condition& condition : study.conditions) {
-            QVERIFY(condition.title.contains("de") && condition.title.contains("el"));
+            QVERIFY2(inEveryLanguage(condition.title), study.id.c_str());
             tasks.insert(condition.task);
             for (const ProcedureSpec& spec : condition.procedures) {
                 kinds.insert(std::string(kindOf(spec)));
@@ -159,9 +165,30 @@ void TestStudyContent::shippedStudiesAreComplete() {
     for (const Questionnaire& questionnaire : catalogue->find("surgeons")->questionnaires)
         for (const QuestionnaireItem& item : questionnaire.items) {
             constructs.insert(item.construct);
-            QVERIFY(item.text.contains("de") && item.text.contains("el"));
+            QVERIFY(inEveryLanguage(item.text));
         }
     QVERIFY(constructs.contains("face") && constructs.contains("content"));
+}
+
+/// How a tube is taken hold of again, and whether the session begins with a free minute, is stored with the
+/// session and read for its replay; where neither is so, nothing is written.
+void TestStudyContent::whatAReplayNeedsIsStored() {
+    const auto study = readStudy(someStudy(), "study");
+    QVERIFY(study);
+    psychophysics::Condition condition = study->conditions[0];
+    condition.stimulus.attribute = psychophysics::Attribute::stiffness;
+    condition.stimulus.reference = 300.0;
+    auto parameters = comparisonOf(condition, study->trial);
+    QVERIFY(parameters && parameters->leaveBeforeAgain && !parameters->freeFirst);
+    for (const bool is : {false, true}) {
+        parameters->leaveBeforeAgain = parameters->freeFirst = is;
+        const ExerciseLevel level = comparisonLevel(*parameters, "study", "a");
+        const auto& read = level.parameters.as<simulation::ComparisonParameters>();
+        QVERIFY(read.leaveBeforeAgain == is && read.freeFirst == is);
+    }
+    condition.stimulus.attribute = psychophysics::Attribute::mass;
+    condition.stimulus.reference = 0.1;
+    QVERIFY(!comparisonOf(condition, study->trial)->leaveBeforeAgain);
 }
 
 /// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session

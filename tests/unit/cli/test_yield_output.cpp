@@ -10,11 +10,13 @@ class TestYieldOutput : public QObject {
     Q_OBJECT
 private slots:
     void forceAndTorqueHaveTheirUnits() {
-        const auto yielded = [](int trial, int tool, double time_s, const QJsonObject& cause) {
-            QJsonObject event{{"kind", "tissue_yielded"},
-                              {"tool", tool},
-                              {"time_s", time_s},
-                              {"detail", QJsonObject{{"trial", trial}}}};
+        const auto yielded = [](int trial, int tool, double time_s, const QJsonObject& cause,
+                                const QJsonArray& place_m = {}) {
+            QJsonObject detail{{"trial", trial}};
+            if (!place_m.isEmpty())
+                detail.insert("position_m", place_m);
+            QJsonObject event{
+                {"kind", "tissue_yielded"}, {"tool", tool}, {"time_s", time_s}, {"detail", detail}};
             if (!cause.isEmpty())
                 event.insert("gave_way_to", cause);
             return event;
@@ -22,16 +24,20 @@ private slots:
         const QJsonArray events{
             QJsonObject{{"kind", "trial_started"}, {"tool", 0}},
             yielded(0, 0, 12.3456, {{"quantity", "torque"}, {"value", 213.0}, {"unit", "mN·m"}}),
-            yielded(1, 2, 20.0, {{"quantity", "force"}, {"value", 8.0}, {"unit", "N"}}),
+            yielded(1, 2, 20.0, {{"quantity", "force"}, {"value", 8.0}, {"unit", "N"}},
+                    {0.0123, -0.004, 0.0207}),
             yielded(1, 0, 21.0, {})};
         const QJsonArray yields = cli::yieldsOf(events);
         QCOMPARE(yields.size(), 3);
         QCOMPARE(yields[0]["trial"].toInt(), 1); // people count from one
         QCOMPARE(yields[0]["gave_way_to"]["unit"].toString(), QStringLiteral("mN·m"));
+        QCOMPARE(yields[1]["position_m"].toArray(), (QJsonArray{0.0123, -0.004, 0.0207}));
+        QVERIFY(!yields[0].toObject().contains("position_m")); // a session of an earlier version
         const QStringList lines = cli::yieldsText(yields).trimmed().split(QLatin1Char('\n'));
         QCOMPARE(lines, (QStringList{
                             QStringLiteral("tissue gave way: trial 1, tool 1, at 12.346 s, torque 213 mN·m"),
-                            QStringLiteral("tissue gave way: trial 2, tool 3, at 20.000 s, force 8.00 N"),
+                            QStringLiteral("tissue gave way: trial 2, tool 3, at 20.000 s, force 8.00 N, "
+                                           "tip at x 12.3, y -4.0, z 20.7 mm"),
                             QStringLiteral("tissue gave way: trial 2, tool 1, at 21.000 s")}));
         QCOMPARE(cli::yieldsText(cli::yieldsOf({})), QString());
     }

@@ -6,17 +6,22 @@
 #include "core/exercise_parameters.h"
 #include "core/fp_environment.h"
 #include "core/haptic_frame.h"
-#include "core/laparoscopy_cues.h"
 #include "core/least_squares.h"
 #include "core/normal_distribution.h"
 #include "core/presentation_word.h"
-#include "core/procedure_stage.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "core/visible_cues.h"
+#include "cues/laparoscopy_cues.h"
+#include "cues/procedure_stage.h"
 #include "modules/exercises/palpation/cues/findings_book.h"
 #include "support/cue_numbers.h"
 
+#include <QDirIterator>
+#include <QFile>
+#include <QMap>
+#include <QRegularExpression>
+#include <QSet>
 #include <QtTest>
 #include <any>
 #include <bit>
@@ -28,12 +33,17 @@ using chiron::simulation::Finding;
 using chiron::simulation::FindingsBook;
 using chiron::simulation::kMaxFindings;
 using chiron::simulation::kMaxShownLumps;
+using chiron::simulation::ReportField;
+using chiron::simulation::reportField;
+using chiron::simulation::reportValue;
+using chiron::simulation::reportWord;
 
 class TestCore : public QObject {
     Q_OBJECT
 private slots:
     void xoshiroMatchesPublishedVector();
     void streamsDiffer();
+    void everyPurposeHasOneOwner();
     void normalHasUnitMoments();
     void belowIsUnbiased();
     void denormalsAreFlushed();
@@ -69,6 +79,29 @@ void TestCore::streamsDiffer() {
     const auto first = a.next();
     QVERIFY(first != b.next());
     QCOMPARE(first, c.next());
+}
+
+/// Two sources of noise that share a purpose draw the same numbers where they get the same seed.
+void TestCore::everyPurposeHasOneOwner() {
+    const QRegularExpression stream(QStringLiteral("Random::stream\\([^;]*?\"([^\"]+)\""));
+    const QDir root(QStringLiteral(CHIRON_SOURCE_DIR));
+    QMap<QString, QSet<QString>> owners; // files without their extension
+    for (const char* floor : {"app", "curriculum", "database", "modules"}) {
+        QDirIterator files(root.filePath(QLatin1String(floor)), {"*.h", "*.cpp"}, QDir::Files,
+                           QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            const QString path = root.relativeFilePath(file.fileName());
+            QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
+            auto found = stream.globalMatch(QString::fromUtf8(file.readAll()));
+            while (found.hasNext())
+                owners[found.next().captured(1)].insert(path.section(u'.', 0, -2));
+        }
+    }
+    QVERIFY(owners.contains(QStringLiteral("hand/tremor")) && owners.size() > 30);
+    for (auto purpose = owners.cbegin(); purpose != owners.cend(); ++purpose)
+        QVERIFY2(purpose->size() == 1, qPrintable(purpose.key() + ": " +
+                                                  QStringList(purpose->values()).join(QStringLiteral(", "))));
 }
 
 void TestCore::normalHasUnitMoments() {
@@ -214,8 +247,8 @@ void TestCore::numbersOfTheRecording() {
     {
         using namespace event_bits;
         bits({kSceneChanged, kTrialStarted, kMarked, kTimedOut, kContactBegan, kContactEnded, kFinished,
-              kCompleted, kStageChanged, kLandmarkSeen, kGrasped, kReleased, kSlipped, kDamaged, kFailed,
-              kSlowApplied});
+              kCompleted, kStageChanged, procedure_bits::kLandmarkSeen, kGrasped, kReleased, kSlipped,
+              kDamaged, kFailed, kSlowApplied});
     }
     {
         using namespace sample_status;

@@ -322,6 +322,13 @@ void TestLimits::ofPeople() {
     taken(checkText("reason", letters(10), 10), ++row);
     refused(checkText("reason", letters(11), 10), ++row);
     refused(checkText("reason", "\xff", 10), ++row);
+    // Valid UTF-8 that would come back as something else: with a zero in it, or with a mark of byte order.
+    for (const std::string& text : {std::string("abc\0def", 7), std::string("\xef\xbb\xbf"
+                                                                            "abc")}) {
+        refused(checkText("reason", text, 10), ++row);
+        refused(checkName(text), ++row);
+        refused(checkPassword("", text + " of a good length"), ++row);
+    }
     for (int i = 0; i < 20; ++i) {
         QCOMPARE(generatedPassword().size(), std::size_t{16});
     }

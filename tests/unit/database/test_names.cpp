@@ -25,6 +25,7 @@ private slots:
     void whoWasRenamedConfirmsWithTheirPassword();
     void theChainVouchesForEarlierNames();
     void anErasureOverwritesThem();
+    void earlierLoginsAreListedLatestFirst();
 
 private:
     AccountService accounts() { return AccountService(*m->database); }
@@ -205,6 +206,29 @@ void TestNames::anErasureOverwritesThem() {
     REQUIRE(m->reopen());
     QVERIFY(earlier(m_bob.personId()).empty());
     QCOMPARE(earlier(eve->personId()).size(), std::size_t{1});
+}
+
+/// Each earlier login is listed once, with its person; those of an erased person are not listed.
+void TestNames::earlierLoginsAreListedLatestFirst() {
+    const auto eve = m->person(m_admin, "eve", {Role::trainee}),
+               gil = m->person(m_admin, "gil", {Role::trainee});
+    REQUIRE(eve);
+    REQUIRE(gil);
+    REQUIRE(accounts().changeNames(m_admin, m_bob.personId(), "robert", "Robert"));
+    REQUIRE(accounts().changeNames(m_admin, eve->personId(), "eva", "Eva"));
+    REQUIRE(accounts().changeNames(m_admin, gil->personId(), "gilbert", "Gilbert"));
+    REQUIRE(accounts().changeNames(m_admin, m_bob.personId(), "rob", "Rob"));
+    REQUIRE(accounts().erasePerson(m_admin, kPassword, gil->personId(), "wish", false));
+    const auto logins = AccountRepository(**m->database->openReader(), m_admin).listEarlierLogins();
+    REQUIRE(logins);
+    const std::vector<EarlierLogin> expected{{m_bob.personId(), "robert", "Robert"},
+                                             {eve->personId(), "eve", "eve display"},
+                                             {m_bob.personId(), "bob", "bob display"}};
+    QCOMPARE(logins->size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        QVERIFY2(logins->at(i).person == expected[i].person && logins->at(i).name == expected[i].name &&
+                     logins->at(i).displayName == expected[i].displayName,
+                 logins->at(i).name.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestNames)

@@ -271,8 +271,14 @@ void TestPrivacy::erasureKeepsWhatIsOthers() {
         for (const auto& done :
              {drop(byTim.addComment(*ofUma, "by tim on uma")),
               drop(byAda.addComment(*ofTim, "by ada on tim")),
-              drop(byUma.addComment(*ofUma, "by uma on uma")), drop(byTim.voidSession(*ofUma, "void by tim")),
+              drop(byUma.addComment(*ofUma, "by uma on uma")),
+              drop(byTim.voidSession(*ofUma, "first by tim")),
+              drop(byTim.reinstateSession(*ofUma, "counted by tim")),
+              drop(byTim.voidSession(*ofUma, "void by tim")), drop(byAda.voidSession(*ofTim, "first of tim")),
+              drop(byAda.reinstateSession(*ofTim, "counted of tim")),
               drop(byAda.voidSession(*ofTim, "void of tim")),
+              drop(byAda.voidSession(*second, "first by ada")),
+              drop(byAda.reinstateSession(*second, "counted by ada")),
               drop(byAda.voidSession(*second, "void by ada"))})
             if (!done)
                 return done;
@@ -297,6 +303,8 @@ void TestPrivacy::erasureKeepsWhatIsOthers() {
     REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "asked for it", true));
     QCOMPARE(list("SELECT text FROM session_comment"), (Texts{"", "", "by uma on uma"}));
     QCOMPARE(list("SELECT void_reason FROM session"), (Texts{"", "", "void by ada"}));
+    QCOMPARE(list("SELECT reason FROM session_decision"),
+             (Texts{"", "", "", "", "counted by ada", "first by ada"}));
     QCOMPARE(list("SELECT operator_name FROM session"), (Texts{"", "novice", "novice"}));
     QVERIFY(onDisk(f.path(), "by uma on uma") && !onDisk(f.path(), "by tim on uma") &&
             !onDisk(f.path(), "by ada on tim"));

@@ -30,6 +30,8 @@ private slots:
     void restoreElsewhereNeedsTheKey();
     void restoreRefusesChangedBackups_data();
     void restoreRefusesChangedBackups();
+    void restoreRefusesADevice_data();
+    void restoreRefusesADevice();
     void restoreNeedsAnAdministratorAndTheLock();
     void restoreNeedsAnAdministratorOfWhatItReplaces();
     void restoreReplacesADamagedFile();
@@ -271,6 +273,38 @@ void TestRestore::restoreRefusesChangedBackups() {
     }
     const QByteArray before = contentOf(f.path());
     QVERIFY(!Upkeep::restore(requestFor(f, f.path("backup")), f.options));
+    QCOMPARE(contentOf(f.path()), before);
+    QVERIFY(!QFile::exists(QString::fromStdString(f.path() + ".restoring")));
+    REQUIRE(f.reopen());
+}
+
+void TestRestore::restoreRefusesADevice_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("manifest") << "manifest.json"
+                              << "not a regular file";
+    QTest::newRow("database") << "chiron.db"
+                              << "missing or changed";
+    QTest::newRow("erasures") << "erasures.json"
+                              << "missing or changed";
+}
+
+// A link to /dev/zero has no end and needs no disk: whoever read it whole would take all memory.
+void TestRestore::restoreRefusesADevice() {
+    QFETCH(QString, file);
+    QFETCH(QString, said);
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(storeSession(*f.database, *ada));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    f.database.reset();
+    const QString name = QString::fromStdString(f.path("backup") + "/") + file;
+    QVERIFY(QFile::remove(name) && QFile::link(QStringLiteral("/dev/zero"), name));
+    const QByteArray before = contentOf(f.path());
+    const auto refused = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    QVERIFY(!refused);
+    QVERIFY2(QString::fromStdString(refused.error().message).contains(said), refused.error().message.c_str());
     QCOMPARE(contentOf(f.path()), before);
     QVERIFY(!QFile::exists(QString::fromStdString(f.path() + ".restoring")));
     REQUIRE(f.reopen());

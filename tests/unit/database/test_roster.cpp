@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database_fixture.h"
 
+#include "catalogue/language_words.h"
+#include "core/languages.h"
 #include "database/accounts/account_rules.h"
 #include "database/accounts/csv_records.h"
 #include "database/accounts/roster_words.h"
@@ -55,6 +57,8 @@ private slots:
     void everyEncodingIsTold();
     void delimitersAreFoundBesideQuotedOnes_data();
     void delimitersAreFoundBesideQuotedOnes();
+    void everyLanguagesWordsAreRead_data();
+    void everyLanguagesWordsAreRead();
     void headingsInThreeLanguages_data();
     void headingsInThreeLanguages();
     void rolesInThreeLanguages();
@@ -65,6 +69,7 @@ private slots:
     void badBytesNameTheirLine();
     void whoExistsIsSkippedOrUpdated();
     void anUpdateLeavesWhatTheListDoesNotSay();
+    void rolesThatStayAreNotSetAgain();
     void whoWasRenamedIsKnownByTheOldName();
     void anOldListTurnsNoFullNameBack();
     void aNameOfTodayComesBeforeAnOldOne();
@@ -213,6 +218,39 @@ void TestRoster::delimitersAreFoundBesideQuotedOnes() {
     QCOMPARE(roster.rows[0].name, std::string("anna"));
     QCOMPARE(roster.rows[0].line, text.contains(QStringLiteral("sep=")) ? 3 : 2);
     QVERIFY(roster.rows[0].roles.contains(Role::trainee));
+}
+
+void TestRoster::everyLanguagesWordsAreRead_data() {
+    QTest::addColumn<QString>("language");
+    for (const std::string& language : core::languageIds())
+        QTest::newRow(language.c_str()) << QString::fromStdString(language);
+}
+
+/// Each with its own meaning: a word that another language has for something else would be read as that.
+void TestRoster::everyLanguagesWordsAreRead() {
+    QFETCH(QString, language);
+    const catalogue::LanguageWords::Roster words = catalogue::wordsOfLanguage(language.toStdString()).roster;
+    using enum RosterColumn;
+    int headings = 0;
+    for (const auto& [key, column] : {std::pair{"login_name", loginName},
+                                      {"display_name", displayName},
+                                      {"given_name", givenName},
+                                      {"family_name", familyName},
+                                      {"roles", roles},
+                                      {"password", password},
+                                      {"group", group},
+                                      {"some_name", loginName}}) // alone, a name is the login name
+        for (const QString& heading : words.headings.at(QString::fromLatin1(key))) {
+            QVERIFY2(rosterColumns({heading.toStdString()}) == std::vector{column}, qPrintable(heading));
+            QVERIFY2(rosterColumns({heading.toUpper().toStdString()}) == std::vector{column},
+                     qPrintable(heading));
+            ++headings;
+        }
+    QVERIFY(headings > 10);
+    QCOMPARE(words.roles.size(), kAllRoles.size());
+    for (const Role role : kAllRoles)
+        for (const QString& name : words.roles.at(QString::fromStdString(std::string(token(role)))))
+            QVERIFY2(rolesOfCell(name.toStdString()) == std::optional(RoleSet{role}), qPrintable(name));
 }
 
 void TestRoster::headingsInThreeLanguages_data() {
@@ -433,6 +471,25 @@ void TestRoster::anUpdateLeavesWhatTheListDoesNotSay() {
         accounts().importCsv(m_admin, "login name;full name;role\neve;;trainer\n", RosterExisting::update));
     QCOMPARE(personOf("eve").displayName, std::string("eve display"));
     QVERIFY(personOf("eve").roles == RoleSet{Role::trainer});
+}
+
+void TestRoster::rolesThatStayAreNotSetAgain() {
+    const auto bob = m->person(m_admin, "bob", {Role::trainee});
+    const auto eve = m->person(m_admin, "eve", {Role::trainer});
+    REQUIRE(bob);
+    REQUIRE(eve);
+    REQUIRE(accounts().importCsv(m_admin, "login name;full name;role\nbob;Robert;trainee\neve;Eva;trainee\n",
+                                 RosterExisting::update));
+    QVERIFY(personOf("bob").displayName == "Robert" && personOf("eve").displayName == "Eva");
+    const auto audit = AuditRepository(**m->database->openReader(), m_admin).listAudit();
+    REQUIRE(audit);
+    std::vector<PersonId> changed;
+    for (const AuditEntry& entry : *audit)
+        if (entry.action == "setRoles")
+            changed.push_back(entry.targetId);
+    QCOMPARE(changed, std::vector<PersonId>{eve->personId()});
+    QVERIFY(personOf("bob").roles == RoleSet{Role::trainee} &&
+            personOf("eve").roles == RoleSet{Role::trainee});
 }
 
 void TestRoster::whoWasRenamedIsKnownByTheOldName() {

@@ -28,10 +28,12 @@ private slots:
     void oneParticipantIsErasedAlone();
     void onlyTheErasedMayBeBlank_data();
     void onlyTheErasedMayBeBlank();
+    void aRunningSessionKeepsItsPersonAlone();
     void aRunningSessionKeepsItsParticipantAlone();
     void aRestoreErasesThatParticipantAlone();
     void aRestoredErasureNamesAnAdministratorOfTheSite();
     void aSittingIsClosedByItsOwnStudy();
+    void aBlindingIsOfItsOwnStudy();
     void aTrialIsOfTheDeviceOfItsSession();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree_data();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree();
@@ -51,7 +53,7 @@ private:
         });
     }
     /// With a key, two answers, a run whose first trial was recorded and whose second was not; said of the
-    /// recording: `words`.
+    /// recordings, which were voided, counted again and voided for good: `words`.
     struct Taken {
         Participant who;
         SessionId session = 0;
@@ -114,6 +116,8 @@ TestRowsBeside::Taken TestRowsBeside::takePart(const std::string& words) {
                 good ? s.addComment(session, words + " trembled") : tl::unexpected(good.error());
             good = comment ? s.voidSession(session, words + " went home")
                            : core::Result<void>(tl::unexpected(comment.error()));
+            good = good ? s.reinstateSession(session, words + " came back") : good;
+            good = good ? s.voidSession(session, words + " went home after all") : good;
         }
         return good;
     });
@@ -317,6 +321,12 @@ void TestRowsBeside::oneParticipantIsErasedAlone() {
         QVERIFY(!text("SELECT void_reason FROM session WHERE id = ?", other->session).empty());
         QVERIFY(!text("SELECT key_json FROM participant_key WHERE id = ?", other->who.id).empty());
         QCOMPARE(
+            selectInteger(*connection,
+                          "SELECT count(*) FROM session_decision WHERE session_id IN (?, ?) AND reason <> ''",
+                          {other->session, other->free})
+                ->value_or(-1),
+            std::int64_t{4});
+        QCOMPARE(
             selectInteger(
                 *connection,
                 "SELECT count(*) FROM questionnaire_answer WHERE participant_id = ? AND answer_json <> ''",
@@ -334,6 +344,9 @@ void TestRowsBeside::oneParticipantIsErasedAlone() {
                            {gone.session})
                  ->value_or(-1),
              std::int64_t{0});
+    QCOMPARE(
+        selectInteger(*connection, "SELECT count(*) FROM session_decision WHERE reason <> ''")->value_or(-1),
+        std::int64_t{8}); // of the other two
     QCOMPARE(selectText(*connection, "SELECT text FROM session_comment WHERE session_id = ?", {*free})
                  ->value_or(""),
              std::string("a Reiher flew past"));
@@ -372,6 +385,9 @@ void TestRowsBeside::onlyTheErasedMayBeBlank_data() {
             << "UPDATE session_comment SET text = '' WHERE session_id = ?" << row;
         QTest::addRow("reason of %s", of) << "session"
                                           << "UPDATE session SET void_reason = '' WHERE id = ?" << row;
+        QTest::addRow("decision on %s", of)
+            << "session_decision"
+            << "UPDATE session_decision SET reason = '' WHERE session_id = ?" << row;
         QTest::addRow("recording of %s", of) << "chunk"
                                              << "UPDATE chunk SET payload = x'' WHERE session_id = ?" << row;
     }
@@ -396,6 +412,35 @@ void TestRowsBeside::onlyTheErasedMayBeBlank() {
     const VerifyReport report = verifyDatabase(m->path(), m->options);
     QVERIFY(std::any_of(report.findings.begin(), report.findings.end(),
                         [&](const Finding& f) { return f.table == table.toStdString(); }));
+}
+
+void TestRowsBeside::aRunningSessionKeepsItsPersonAlone() {
+    const auto tim = m->person(m_admin, "tim", {Role::trainee}),
+               zoe = m->person(m_admin, "zoe", {Role::trainee});
+    REQUIRE(tim);
+    REQUIRE(zoe);
+    REQUIRE(storeSession(*m->database, *tim, 1));
+    REQUIRE(storeSession(*m->database, *zoe, 1));
+    const auto ofTim = [&](auto job) {
+        return m->database->write([&](WriteContext& w) {
+            SessionRepository of(w.connection(), *tim);
+            return job(of);
+        });
+    };
+    const auto running = ofTim([](SessionRepository& s) { return s.beginSession(someSession()); });
+    REQUIRE(running);
+    AccountService accounts(*m->database);
+    const auto erased = [&](const Actor& who) {
+        return accounts.erasePerson(m_admin, kPassword, who.personId(), "wish", true);
+    };
+    const auto early = erased(*tim);
+    QVERIFY(!early);
+    QCOMPARE(early.error().code, core::ErrorCode::wrongUse);
+    REQUIRE(erased(*zoe)); // whose own has ended
+    REQUIRE(ofTim([&](SessionRepository& s) {
+        return s.finishSession(*running, {SessionState::stopped, 1, 1, 0, "{}"});
+    }));
+    REQUIRE(erased(*tim));
 }
 
 void TestRowsBeside::aRunningSessionKeepsItsParticipantAlone() {
@@ -493,6 +538,38 @@ void TestRowsBeside::aSittingIsClosedByItsOwnStudy() {
         const auto session = SessionReader(*connection, m_ruth).session(id);
         QCOMPARE(!session, sealed);
         QVERIFY(session || session.error().code == core::ErrorCode::notAllowed);
+    }
+    const auto listed = SessionReader(*connection, m_ruth).listSessions();
+    REQUIRE(listed);
+    for (const SessionSummary& line : *listed) // a list keeps back what the session itself keeps back
+        QCOMPARE(line.sealed, line.id == closedTitle || line.id == closedTrial);
+}
+
+// A study that was unblinded shows its conditions, trials and codes, although the one beside it is still
+// blinded.
+void TestRowsBeside::aBlindingIsOfItsOwnStudy() {
+    const auto open = makeStudies(*m->database, m_ruth, "open"),
+               closed = makeStudies(*m->database, m_ruth, "closed");
+    REQUIRE(open);
+    REQUIRE(closed);
+    REQUIRE(studies(
+        [&](StudyRepository& s, Connection&) { return s.unblindStudy(open->frozen, "all are done"); }));
+    const auto connection = reader();
+    StudyReader reads(*connection, m_ruth);
+    for (const auto& [of, told] : {std::pair{&*open, true}, std::pair{&*closed, false}}) {
+        const auto runs = reads.runs(of->running);
+        REQUIRE(runs);
+        QCOMPARE(runs->size(), std::size_t{1});
+        QCOMPARE(runs->front().condition, std::string(told ? "hard" : ""));
+        QCOMPARE(runs->front().procedures, std::string(told ? "descending@1" : ""));
+        const auto trials = reads.studyTrials(of->run);
+        REQUIRE(trials);
+        QCOMPARE(trials->size(), std::size_t{told ? 1U : 0U});
+        const auto codes = reads.conditionCodes(of->frozen);
+        REQUIRE(codes);
+        QCOMPARE(codes->size(), std::size_t{2});
+        for (const SealedCondition& each : *codes)
+            QCOMPARE(each.condition.empty(), !told);
     }
 }
 

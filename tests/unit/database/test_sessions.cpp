@@ -29,10 +29,13 @@ private slots:
     void endedSessionsAreClosed();
     void voidedAndArchivedStay();
     void aVoidedSessionCountsAgain();
+    void aVoidingThatWasTakenBackKeepsItsTime();
     void attemptsAreNumbered();
+    void aDemonstrationCountsItsOperators();
     void aSittingIsNoAttempt();
     void theLatestAttemptAwaitsReview();
     void commentsAreFoundAgain();
+    void aLineIsOfItsSession();
     void badInputNamesTheField();
 };
 
@@ -481,13 +484,69 @@ void TestSessions::aVoidedSessionCountsAgain() {
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
+// Its time is neither that of a later change of the session nor that of another voiding.
+void TestSessions::aVoidingThatWasTakenBackKeepsItsTime() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    const auto first = storeSession(*f.database, *ada, 1), second = storeSession(*f.database, *ada, 1);
+    REQUIRE(first);
+    REQUIRE(second);
+    const auto judge = [&](auto use) {
+        return f.database->write([&](WriteContext& w) {
+            SessionRepository sessions(w.connection(), *ada);
+            return use(sessions);
+        });
+    };
+    const auto voids = [&](SessionId id) {
+        return judge([&](SessionRepository& s) { return s.voidSession(id, "the chair fell over"); });
+    };
+    const auto takesBack = [&](SessionId id) {
+        return judge([&](SessionRepository& s) { return s.reinstateSession(id, "it did not"); });
+    };
+    // As if each entry had been made in another second. Returns that of the session's latest voiding.
+    const auto spread = [&]() -> std::string {
+        const auto done = f.database->write([](WriteContext& w) {
+            return w.connection().execute("DROP TRIGGER IF EXISTS audit_fixed; UPDATE audit SET utc = "
+                                          "printf('2030-01-01T00:%02d:%02d.000Z', "
+                                          "sequence / 60, sequence % 60);");
+        });
+        auto reader = f.database->openReader();
+        const auto utc = selectText(**reader,
+                                    "SELECT utc FROM audit WHERE target = 'session' AND target_id = ? AND "
+                                    "action = 'voidSession' ORDER BY sequence DESC LIMIT 1",
+                                    {*first});
+        return done && utc ? utc->value_or("") : std::string();
+    };
+    REQUIRE(voids(*first));
+    REQUIRE(voids(*second));
+    REQUIRE(judge([&](SessionRepository& s) { return s.setArchived(*first, true); }));
+    const std::string once = spread();
+    QVERIFY(!once.empty());
+    REQUIRE(takesBack(*first));
+    REQUIRE(voids(*first));
+    const std::string again = spread();
+    QVERIFY(again > once);
+    REQUIRE(takesBack(*first));
+    auto reader = f.database->openReader();
+    const auto record = SessionReader(**reader, *ada).session(*first);
+    REQUIRE(record);
+    QCOMPARE(record->decisions.size(), std::size_t{4});
+    QCOMPARE(record->decisions[0].utc, once);
+    QCOMPARE(record->decisions[2].utc, again);
+    QVERIFY(SessionReader(**reader, *ada).session(*second)->decisions.empty());
+}
+
 void TestSessions::attemptsAreNumbered() {
     DatabaseFixture f;
     REQUIRE(f.create());
     const auto ada = f.administrator();
     const auto tim = f.person(*ada, "tim", {Role::trainee});
-    const auto stored = [&](const Actor& actor, int level, const char* hand, bool practice) {
+    const auto stored = [&](const Actor& actor, int level, const char* hand, bool practice,
+                            const char* exercise = "sphere_apex") {
         NewSession setup = someSession();
+        setup.exercise = exercise;
         setup.level = level;
         setup.operatorName = hand;
         setup.familiarisation = practice;
@@ -496,7 +555,8 @@ void TestSessions::attemptsAreNumbered() {
     const SessionId first = stored(*tim, 1, "", false), practice = stored(*tim, 1, "", true),
                     shown = stored(*tim, 1, "expert", false);
     const SessionId second = stored(*tim, 1, "", false), higher = stored(*tim, 2, "", false),
-                    others = stored(*ada, 1, "", false);
+                    others = stored(*ada, 1, "", false), elsewhere = stored(*tim, 1, "", false, "palpation"),
+                    machine = stored(Actor::simulated(), 1, "", false);
     const SessionId third = stored(*tim, 1, "", false);
     REQUIRE(f.database->write([&](WriteContext& w) {
         return SessionRepository(w.connection(), *ada).voidSession(second, "the chair fell");
@@ -505,13 +565,33 @@ void TestSessions::attemptsAreNumbered() {
     SessionReader sessions(**reader, *ada);
     const auto listed = sessions.listSessions();
     REQUIRE(listed);
-    const std::map<SessionId, int> expected{{first, 1},  {practice, 0}, {shown, 0}, {second, 2},
-                                            {higher, 1}, {others, 1},   {third, 3}};
+    const std::map<SessionId, int> expected{{first, 1},     {practice, 0}, {shown, 0},
+                                            {second, 2},    {higher, 1},   {others, 1},
+                                            {elsewhere, 1}, {machine, 0},  {third, 3}};
     QCOMPARE(listed->size(), expected.size());
     for (const SessionSummary& session : *listed) {
         QCOMPARE(session.attempt, expected.at(session.id)); // a voided one keeps its number
         QCOMPARE(sessions.session(session.id)->summary.attempt, session.attempt);
     }
+}
+
+// On a demonstration site scripts stand for people, except those of the simulated account.
+void TestSessions::aDemonstrationCountsItsOperators() {
+    DatabaseFixture f;
+    f.options.demonstration = true;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    const auto machine = storeSession(*f.database, Actor::simulated(), 1);
+    const auto first = storeSession(*f.database, *ada, 1), second = storeSession(*f.database, *ada, 1);
+    REQUIRE(machine);
+    REQUIRE(first);
+    REQUIRE(second);
+    auto reader = f.database->openReader();
+    SessionReader sessions(**reader, *ada);
+    QCOMPARE(sessions.session(*machine)->summary.attempt, 0);
+    QCOMPARE(sessions.session(*first)->summary.attempt, 1);
+    QCOMPARE(sessions.session(*second)->summary.attempt, 2);
 }
 
 // Whatever exercise a study uses: known by the run it was recorded for, or, of earlier versions, by its
@@ -552,11 +632,19 @@ void TestSessions::theLatestAttemptAwaitsReview() {
     const auto ada = f.administrator();
     const auto tom = f.person(*ada, "tom", {Role::trainer});
     const auto tim = f.person(*ada, "tim", {Role::trainee});
+    const auto zoe = f.person(*ada, "zoe", {Role::trainee});
     NewSession setup = someSession();
     setup.operatorName.clear();
     const SessionId first = storeSession(*f.database, *tim, 1, 500, setup).value_or(0);
     const SessionId latest = storeSession(*f.database, *tim, 1, 500, setup).value_or(0);
     const SessionId own = storeSession(*f.database, *tom, 1, 500, setup).value_or(0);
+    const SessionId ofZoe = storeSession(*f.database, *zoe, 1, 500, setup).value_or(0);
+    NewSession other = setup;
+    other.level = 3;
+    const SessionId higher = storeSession(*f.database, *tim, 1, 500, other).value_or(0);
+    other = setup;
+    other.exercise = "palpation";
+    const SessionId elsewhere = storeSession(*f.database, *tim, 1, 500, other).value_or(0);
     (void)storeSession(*f.database, Actor::simulated(), 1);
     const auto waiting = [&](const Actor& actor) {
         auto reader = f.database->openReader();
@@ -576,14 +664,24 @@ void TestSessions::theLatestAttemptAwaitsReview() {
         });
     };
     using Ids = std::vector<SessionId>;
-    QCOMPARE(waiting(*tom), Ids{latest}); // of several tries the latest; never one's own
-    QCOMPARE(waiting(*ada), (Ids{latest, own}));
+    // Of several tries the latest, of each person at each exercise and level; never one's own.
+    QCOMPARE(waiting(*tom), (Ids{latest, ofZoe, higher, elsewhere}));
+    QCOMPARE(waiting(*ada), (Ids{latest, own, ofZoe, higher, elsewhere}));
     REQUIRE(write([&](SessionRepository& s) { return s.voidSession(latest, "slipped"); }));
-    QCOMPARE(waiting(*tom), Ids{first}); // what is void needs nobody's eye
+    QCOMPARE(waiting(*tom), (Ids{first, ofZoe, higher, elsewhere})); // what is void needs nobody's eye
     REQUIRE(write([&](SessionRepository& s) { return s.reinstateSession(latest, "did not slip"); }));
-    QCOMPARE(waiting(*tom), Ids{latest});
+    QCOMPARE(waiting(*tom), (Ids{latest, ofZoe, higher, elsewhere}));
+    REQUIRE(write([&](SessionRepository& s) { return s.setArchived(latest, true); }));
+    QCOMPARE(waiting(*tom), (Ids{first, ofZoe, higher, elsewhere})); // nor what is put away
+    REQUIRE(write([&](SessionRepository& s) { return s.setArchived(latest, false); }));
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        return drop(SessionRepository(w.connection(), *zoe).addComment(ofZoe, "my hand shook"));
+    }));
+    QCOMPARE(waiting(*tom), (Ids{latest, ofZoe, higher, elsewhere})); // what one says oneself is no review
     REQUIRE(write([&](SessionRepository& s) { return drop(s.addComment(latest, "steady")); }));
-    QCOMPARE(waiting(*tom), Ids{}); // and no earlier one takes its place
+    // No earlier one takes its place, and the others wait as before.
+    QCOMPARE(waiting(*tom), (Ids{ofZoe, higher, elsewhere}));
+    QCOMPARE(waiting(*ada), (Ids{own, ofZoe, higher, elsewhere}));
 }
 
 void TestSessions::commentsAreFoundAgain() {
@@ -637,6 +735,45 @@ void TestSessions::commentsAreFoundAgain() {
     auto reader = f.database->openReader();
     QCOMPARE(SessionReader(**reader, Actor::anonymous()).commentedSessions().error().code,
              core::ErrorCode::notAllowed);
+}
+
+// What a list says of a session is its own: its latest scores, and what was written on it.
+void TestSessions::aLineIsOfItsSession() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    REQUIRE(tim);
+    const SessionId again = storeSession(*f.database, *tim, 1).value_or(0),
+                    once = storeSession(*f.database, *tim, 1).value_or(0);
+    scoring::ScoreCard worse = someCard();
+    worse.passed = false;
+    worse.metrics[1] = {"time", 1, "s", 2.0, "", false};
+    worse.metrics.push_back({"force_max", 1, "N", 3.0, "", false});
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        auto good = drop(ScoreRepository(w.connection(), Actor::maintenance()).storeScores(again, worse));
+        SessionRepository byAda(w.connection(), *ada), byTim(w.connection(), *tim);
+        good = good ? drop(byAda.addComment(again, "slower")) : good;
+        good = good ? drop(byTim.addComment(again, "I will be")) : good;
+        return good ? drop(byTim.addComment(once, "my hand shook")) : good;
+    }));
+    auto reader = f.database->openReader();
+    SessionReader sessions(**reader, *ada);
+    const auto listed = sessions.listSessions();
+    REQUIRE(listed);
+    QCOMPARE(listed->size(), std::size_t{2});
+    for (const SessionSummary& line : {listed->at(0), sessions.session(again)->summary}) {
+        QCOMPARE(line.id, again);
+        QCOMPARE(line.passed, std::optional(false));
+        QVERIFY(line.gates == 3 && line.gatesMet == 1);
+        QVERIFY(line.comments == 2 && line.reviewed);
+    }
+    for (const SessionSummary& line : {listed->at(1), sessions.session(once)->summary}) {
+        QCOMPARE(line.id, once);
+        QCOMPARE(line.passed, std::optional(true));
+        QVERIFY(line.gates == 1 && line.gatesMet == 1);
+        QVERIFY(line.comments == 1 && !line.reviewed); // by its own person
+    }
 }
 
 void TestSessions::badInputNamesTheField() {

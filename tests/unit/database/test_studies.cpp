@@ -24,6 +24,7 @@ private slots:
     void ordersAreGivenOut();
     void keysAreReadByFewAndAudited();
     void simulatedAccountKeepsToItself();
+    void pilotsAreListedByWhatTheyTry();
     void aBrokenJobLeavesNothing();
 };
 
@@ -148,6 +149,9 @@ void TestStudies::ordersAreGivenOut() {
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(second->id, false); }));
     QCOMPARE(enrolled("")->order, 1); // the row of who left
     QCOMPARE(enrolled("weber:0.1", "P01").error().code, core::ErrorCode::badInput);
+    const StudyNumber beside = frozen("beside"); // a code is of its study
+    REQUIRE(write(m_ruth,
+                  [&](StudyRepository& s) { return s.enrolParticipant(beside, "", 0, "weber:0.2", "P01"); }));
     QCOMPARE(enrolled("", "P02").error().code, core::ErrorCode::badInput); // people get random codes
     QCOMPARE(StudyReader(*reader(), m_ruth).participantByCode(study, "p01")->observer,
              std::string("weber:0.1"));
@@ -207,6 +211,37 @@ void TestStudies::simulatedAccountKeepsToItself() {
                  .error()
                  .code,
              core::ErrorCode::notAllowed);
+}
+
+// Pilots are listed under the key of the study that they try, and not among the studies. Without a login only
+// those of the simulated account are visible.
+void TestStudies::pilotsAreListedByWhatTheyTry() {
+    const auto made = [&](const Actor& actor, const std::string& key, const std::string& of) {
+        return write(actor, [&](StudyRepository& s) {
+            return s.createStudy(key, key, of.empty() ? "{}" : R"({"pilot_of":")" + of + R"("})");
+        });
+    };
+    for (const auto& [actor, name] :
+         {std::pair{m_ruth, "ruth"}, std::pair{Actor::simulated(), "simulated"}}) {
+        const std::string of = name;
+        REQUIRE(made(actor, of + "_study", ""));
+        REQUIRE(made(actor, of + "_pilot", "tried"));
+        REQUIRE(made(actor, of + "_other", "untried"));
+    }
+    const auto connection = reader();
+    const auto keys = [](const core::Result<std::vector<StudySummary>>& studies) {
+        QStringList list;
+        for (const StudySummary& study : studies.value_or(std::vector<StudySummary>{}))
+            list << QString::fromStdString(study.key);
+        return list;
+    };
+    StudyReader people(*connection, m_ruth), everybody(*connection, Actor::anonymous());
+    QCOMPARE(keys(people.listPilots("tried")), (QStringList{"ruth_pilot", "simulated_pilot"}));
+    QCOMPARE(keys(everybody.listPilots("tried")), QStringList{"simulated_pilot"});
+    for (StudyReader* each : {&people, &everybody})
+        QVERIFY(keys(each->listPilots("")).isEmpty() && keys(each->listPilots("nothing")).isEmpty());
+    QCOMPARE(keys(people.listStudies()), (QStringList{"ruth_study", "simulated_study"}));
+    QCOMPARE(keys(everybody.listStudies()), QStringList{"simulated_study"});
 }
 
 void TestStudies::aBrokenJobLeavesNothing() {

@@ -295,6 +295,9 @@ void TestStudyRuns::trialsFollowOnAndStay() {
     QCOMPARE(with([](StudyTrial& t) { t.lastTick = 0; }), bad);
     QCOMPARE(with([](StudyTrial& t) { t.fidelityJson = "nonsense"; }), bad);
     QCOMPARE(with([](StudyTrial& t) { t.session = 77; }), bad);
+    const auto hers = storeSession(*m->database, m_admin, 1); // somebody else's
+    REQUIRE(hers);
+    QCOMPARE(with([&](StudyTrial& t) { t.session = *hers; }), bad);
     for (const char* sql : {"UPDATE study_trial SET answer = 1", "DELETE FROM study_trial"}) {
         QVERIFY(!m->database->write([&](WriteContext& w) { return w.connection().execute(sql); }));
     }

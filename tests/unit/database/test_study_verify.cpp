@@ -16,6 +16,7 @@ private slots:
     void studiesAreGuarded_data();
     void studiesAreGuarded();
     void studyChangedWithItsDigestIsFound();
+    void whatFollowsTheFreezingIsSound();
 
 private:
     DatabaseFixture m;
@@ -97,6 +98,25 @@ void TestStudyVerify::studyChangedWithItsDigestIsFound() {
     QVERIFY(has(report, "seal", "study", "id=2"));
     QVERIFY(has(report, "seal", "study_run", "id=2"));
     QVERIFY(!has(report, "digest", "study_trial"));
+}
+
+// A frozen study is unblinded, closed and archived later: what the chain noted at its freezing still holds.
+void TestStudyVerify::whatFollowsTheFreezingIsSound() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    const auto made = makeStudies(*f.database, *ada, "later");
+    REQUIRE(made);
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        StudyRepository studies(w.connection(), *ada);
+        auto done = studies.unblindStudy(made->frozen, "all are done");
+        done = done ? studies.closeStudy(made->frozen) : done;
+        return done ? studies.setStudyArchived(made->frozen, true) : done;
+    }));
+    f.database.reset();
+    const VerifyReport report = verifyDatabase(f.path(), f.options);
+    QVERIFY2(report.ok(), report.ok() ? "" : report.findings.front().detail.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestStudyVerify)

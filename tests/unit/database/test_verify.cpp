@@ -33,9 +33,11 @@ private slots:
     void forgedHeadIsFound();
     void missingKeyIsTold();
     void scoreCheckIsAskedForEachSession();
+    void scoreCheckIsAskedWhereThereIsSomethingToCheck();
     void watchHearsAllOfIt();
     void watchEndsIt();
     void noiseIsAFinding();
+    void rowsBehindABrokenPageAreChecked();
 
 private:
     std::string damagedCopy(const std::string& sql);
@@ -316,6 +318,41 @@ void TestVerify::scoreCheckIsAskedForEachSession() {
     QCOMPARE(report.findings[0].kind, std::string("score"));
 }
 
+// Scores are not checked of a session that has none, still runs, or has lost its recording to an erasure.
+void TestVerify::scoreCheckIsAskedWhereThereIsSomethingToCheck() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    REQUIRE(tim);
+    const auto begin = [&] {
+        return f.database->write([&](WriteContext& w) {
+            return SessionRepository(w.connection(), *ada).beginSession(someSession());
+        });
+    };
+    const auto unscored = begin();
+    REQUIRE(unscored);
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return SessionRepository(w.connection(), *ada)
+            .finishSession(*unscored, {SessionState::stopped, 5, 5, 0, "{}"});
+    }));
+    const auto scored = storeSession(*f.database, *ada, 1);
+    const auto erased = storeSession(*f.database, *tim, 1);
+    REQUIRE(scored);
+    REQUIRE(erased);
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true));
+    REQUIRE(begin());
+    f.database.reset();
+    std::vector<SessionId> asked;
+    const VerifyReport report =
+        verifyDatabase(f.path(), f.options, [&](Connection&, SessionId id) -> std::vector<Finding> {
+            asked.push_back(id);
+            return {};
+        });
+    QVERIFY2(report.ok(), report.ok() ? "" : report.findings.front().detail.c_str());
+    QCOMPARE(asked, std::vector<SessionId>{*scored});
+}
+
 // From nothing to all of it, in steps of which a session's scores are 500 and a row is one; asked every 64
 // steps, no oftener.
 void TestVerify::watchHearsAllOfIt() {
@@ -395,6 +432,65 @@ void TestVerify::noiseIsAFinding() {
         QVERIFY(has(verifyDatabase(noise, m.options), "file", ""));
     }
     QVERIFY(has(verifyDatabase(m.path("nothing.db"), m.options), "file", ""));
+}
+
+// If one page of a table cannot be read, its rows are reported as one range, and the rows behind it are
+// checked.
+void TestVerify::rowsBehindABrokenPageAreChecked() {
+    constexpr int kEvents = 400, kMiddle = 200, kChanged = 390;
+    const auto word = [](int i) {
+        return QStringLiteral("row-%1.").arg(i, 4, 10, QLatin1Char('0')).toLatin1();
+    };
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository sessions(w.connection(), Actor::simulated());
+        const auto id = sessions.beginSession(someSession());
+        CHIRON_TRY(id);
+        std::vector<EventRecord> events;
+        for (int i = 0; i < kEvents; ++i)
+            events.push_back({static_cast<std::uint64_t>(i), 0.001 * i, 0, word(i).toStdString(), "{}"});
+        CHIRON_TRY(sessions.storeEvents(*id, events));
+        return sessions.finishSession(*id, {SessionState::completed, 1000, 1000, 0, "{}"});
+    }));
+    f.database.reset();
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+
+    QByteArray bytes = contentOf(f.path());
+    const qsizetype page =
+        256 * static_cast<unsigned char>(bytes[16]) + static_cast<unsigned char>(bytes[17]);
+    QVERIFY(page >= 512);
+    const qsizetype start = bytes.indexOf(word(kMiddle)) / page * page;
+    const auto inside = [&](int i) {
+        const qsizetype at = bytes.indexOf(word(i));
+        return at >= start && at < start + page;
+    };
+    int first = kMiddle, last = kMiddle;
+    while (inside(first - 1))
+        --first;
+    while (inside(last + 1))
+        ++last;
+    QVERIFY(start > 0 && first > 1 && last < kChanged - 1);
+    bytes[bytes.indexOf(word(kChanged)) + 4] = '9';
+    bytes[start] = '\x7f'; // no kind of page
+    QFile file(QString::fromStdString(f.path()));
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    QCOMPARE(file.write(bytes), bytes.size());
+    file.close();
+
+    const VerifyReport report = verifyDatabase(f.path(), f.options);
+    QVERIFY(has(report, "digest", "event", "ordinal=" + std::to_string(kChanged)));
+    QStringList ranges;
+    for (const Finding& finding : report.findings)
+        if (finding.kind == "unreadable" && finding.table == "event")
+            ranges << QString::fromStdString(finding.row);
+    QCOMPARE(ranges.size(), 1);
+    const auto range = QRegularExpression(QStringLiteral("^rowid (\\d+)\\.\\.(\\d+)$")).match(ranges.front());
+    QVERIFY2(range.hasMatch(), qPrintable(ranges.front()));
+    // Rows count from 1, and the first one behind the page may be given up with it.
+    QCOMPARE(range.captured(1).toInt(), first + 1);
+    QVERIFY2(range.captured(2).toInt() >= last + 1 && range.captured(2).toInt() <= last + 2,
+             qPrintable(ranges.front()));
 }
 
 QTEST_GUILESS_MAIN(TestVerify)

@@ -2,31 +2,24 @@
 #include "core/tool_state.h"
 #include "devices/driver_catalogue.h"
 #include "devices/kinematics_catalogue.h"
-#include "mechanisms/scripted_motion.h"
+#include "mechanisms/fingertip_arm_parameters.h"
+#include "mechanisms/five_bar_plant_parameters.h"
+#include "mechanisms/gimbal_plant_parameters.h"
+#include "support/driver_request.h"
 
 #include <QtTest>
+#include <any>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <variant>
+#include <vector>
 
 using namespace chiron;
 
 namespace {
 QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
-
-/// A request that any driver can serve: one point, and whatever may move it.
-devices::DriverRequest requestFor(std::string_view mechanism) {
-    devices::DriverRequest request;
-    request.mechanism = std::string(mechanism);
-    request.endoscopeStart_W = {0.0, -0.069, 0.0};
-    devices::ToolRequest tool;
-    const core::Vec3 start =
-        mechanism == "five_bar_spherical" ? core::Vec3(0.0, -0.069, 0.0) : core::Vec3(0.0, 0.0, 0.05);
-    tool.strategy = std::make_unique<mechanisms::ScriptedMotion>(start);
-    tool.trace = {{0.0, {0.0, 0.0, 0.05}}, {1.0, {0.01, 0.0, 0.05}}};
-    request.tools.push_back(std::move(tool));
-    return request;
 }
 
 /// A request that none can serve: no such scale, no such mechanism, nobody and nothing that moves the tool.
@@ -50,7 +43,8 @@ void isValid(const devices::DeviceDescriptor& descriptor) {
     }
     QVERIFY(descriptor.period_us > 0);
     QVERIFY(std::isfinite(descriptor.maximumDamping_Ns_per_m) && descriptor.maximumDamping_Ns_per_m > 0.0);
-    QVERIFY(descriptor.frictionCompensation >= 0.0 && descriptor.frictionCompensation <= 1.0);
+    QVERIFY(descriptor.frictionCompensation >= 0.0 &&
+            descriptor.frictionCompensation <= devices::kMostFrictionCompensation);
     if (!descriptor.rendersForce)
         QVERIFY(descriptor.maximumForce_N == 0.0 && descriptor.maximumTorque_Nm == 0.0);
 }
@@ -94,11 +88,14 @@ private slots:
     }
 
     /// So that no screen falls back to words of the command line for a device that we ship.
+    void shippedOnesHaveWordsForPeople_data() { eachDriver(); }
     void shippedOnesHaveWordsForPeople() {
-        for (const devices::Driver* driver : devices::driverCatalogue().first(3)) {
-            QVERIFY2(!driver->name.empty() && !driver->readiness.empty(), std::string(driver->id).c_str());
-            QCOMPARE(devices::nameOf(*driver, "no such kinematics"), driver->name);
-        }
+        const devices::Driver& driver = current();
+        QVERIFY(!driver.name.empty() && !driver.readiness.empty());
+        QCOMPARE(devices::nameOf(driver, "no such kinematics"), driver.name);
+    }
+
+    void mechanismsHaveNamesOfTheirOwn() {
         const devices::Driver& mechanisms = *devices::findDriver("simulated");
         std::set<std::string_view> names;
         for (const devices::KinematicsEntry& kinematics : mechanisms.kinematics)
@@ -124,13 +121,17 @@ private slots:
         const devices::Driver& driver = current();
         QVERIFY(!driver.kinematics.empty());
         for (const devices::KinematicsEntry& kinematics : driver.kinematics) {
-            auto made = driver.open(requestFor(kinematics.id));
+            auto made = driver.open(tests::requestForAnyDriver(kinematics.id));
             QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
             QCOMPARE(made->size(), std::size_t(1));
             devices::IDevice& device = *made->front().device;
             const devices::DeviceDescriptor& descriptor = device.descriptor();
             QCOMPARE(text(descriptor.driver), text(driver.id));
             QVERIFY(descriptor.deviceClass() == driver.deviceClass);
+            // Whoever moves the tools with mouse and keyboard reads how; whoever holds a handle reads that.
+            QCOMPARE(!std::holds_alternative<std::monostate>(made->front().input),
+                     driver.movedBy == devices::MovedBy::person &&
+                         driver.hand == devices::HandKind::mouseAndKeyboard);
             isValid(descriptor);
             QVERIFY(devices::makeKinematics(descriptor).has_value());
             const auto opened = device.open();
@@ -141,6 +142,40 @@ private slots:
                 QVERIFY2(opened.has_value(), opened ? "" : opened.error().message.c_str());
             QVERIFY(!device.finished());
             device.close();
+        }
+    }
+
+    /// A request may say what a simulated mechanism is truly like: each takes its own parameters, and none
+    /// those of another.
+    void mechanismsTakeTheirOwnParameters() {
+        mechanisms::GimbalPlantParameters gimbal;
+        gimbal.resolution[0] = 1e-3;
+        mechanisms::FiveBarPlantParameters fiveBar;
+        fiveBar.resolution[0] = 2e-3;
+        mechanisms::FingertipArmParameters arm;
+        arm.encoderBits = 12;
+        const std::vector<std::pair<std::string, std::any>> all{
+            {"gimbal_hprd", gimbal}, {"five_bar_spherical", fiveBar}, {"fingertip_arm", arm}};
+        const std::vector<double> resolutions{1e-3, 2e-3, arm.encoderResolution_rad()};
+        const devices::Driver& driver = *devices::findDriver("simulated");
+        QCOMPARE(driver.kinematics.size(), all.size()); // a mechanism more is asked here, too
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            for (std::size_t of = 0; of < all.size(); ++of) {
+                devices::DriverRequest request = tests::requestForAnyDriver(all[i].first);
+                request.plant = all[of].second;
+                const auto made = driver.open(std::move(request));
+                if (of == i) {
+                    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+                    QCOMPARE(made->front().device->descriptor().axes[0].resolution, resolutions[i]);
+                } else {
+                    QVERIFY(!made && made.error().code == core::ErrorCode::wrongUse);
+                    QVERIFY2(made.error().message.find(all[i].first) != std::string::npos,
+                             made.error().message.c_str());
+                }
+            }
+            const auto usual = driver.open(tests::requestForAnyDriver(all[i].first));
+            QVERIFY(usual.has_value());
+            QVERIFY(usual->front().device->descriptor().axes[0].resolution != resolutions[i]);
         }
     }
 

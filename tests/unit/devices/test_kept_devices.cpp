@@ -447,7 +447,7 @@ void TestKeptDevices::settingsThatAreRefused() {
                   .arg(jaw.fingerLag_s)
                   .arg(jaw.fingerSpeed_rad_per_s),
               [&](auto& c) { c.jaw = jaw; });
-    for (const double share : {-0.1, 1.0, 1.01})
+    for (const double share : {-0.1, 0.8, 0.81})
         probe(QStringLiteral("compensates %1").arg(share), [&](auto& c) { c.frictionCompensation = share; });
 
     const auto endoscope = [&](const QString& what, auto change, bool mind = true) {

@@ -66,8 +66,9 @@ public:
         supervisor.setGuardMaskForTests(mask);
         start(std::vector<devices::DeviceDescriptor>{device}, settings, mapping, kinematics);
     }
-    SafetyRig(const std::vector<devices::DeviceDescriptor>& devices,
-              const haptics::SafetySettings& settings) {
+    SafetyRig(const std::vector<devices::DeviceDescriptor>& devices, const haptics::SafetySettings& settings,
+              haptics::GuardMask mask = {}) {
+        supervisor.setGuardMaskForTests(mask);
         start(devices, settings, {}, nullptr);
     }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 using namespace chiron;
 using core::Vec3;
@@ -162,6 +163,13 @@ Outcome run(const mechanisms::HandParameters& hand, double share, double times, 
 constexpr double kBooks_J =
     1e-4; ///< what the sums err by: forces are means of a tick; and the bristles' 10 µJ
 
+/// Of hands that nobody chose; CHIRON_FRICTION_SEED repeats one.
+std::uint64_t drawnSeed() {
+    bool given = false;
+    const std::uint64_t seed = qEnvironmentVariable("CHIRON_FRICTION_SEED").toULongLong(&given);
+    return given ? seed : 1 + std::random_device{}() % 1000000;
+}
+
 } // namespace
 
 class TestFrictionCompensation : public QObject {
@@ -172,6 +180,7 @@ private slots:
     void nothingWithoutASetting();
     void neverMakesEnergy_data();
     void neverMakesEnergy();
+    void helps();
     void tooMuchWouldMakeEnergy();
     void aStillHandIsLeftAlone();
     void isNoTissueForce();
@@ -188,8 +197,9 @@ devices::DeviceDescriptor identified(double share) {
 } // namespace
 
 void TestFrictionCompensation::effortsAreBounded() {
-    for (const double share : {0.3, 0.8, 1.0}) { // more than 0.8 is 0.8
-        const devices::DeviceDescriptor device = identified(share);
+    for (const double share : {0.3, 0.8, 1.0}) {
+        devices::DeviceDescriptor device = identified(std::min(share, 0.8));
+        device.frictionCompensation = share; // if a descriptor states more than 0.8, it gets 0.8
         const FrictionCompensation compensation(device);
         QVERIFY(compensation.active());
         for (const std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
@@ -265,18 +275,32 @@ void TestFrictionCompensation::neverMakesEnergy() {
         name == QLatin1String("light")  ? mechanisms::HandParameters::light()
         : name == QLatin1String("firm") ? mechanisms::HandParameters::firm()
                                         : mechanisms::HandParameters{};
-    for (const std::uint64_t seed : {11u, 12u}) {
-        const Outcome without = run(hand, 0.0, 1.0, seed), with = run(hand, 0.8, 1.0, seed);
-        qInfo("%s, seed %llu: friction takes %.1f mJ, with the compensation %.1f mJ; largest fall %.3f mJ; "
-              "at most %.3f N",
-              qPrintable(name), static_cast<unsigned long long>(seed), 1e3 * without.taken_J,
-              1e3 * with.taken_J, 1e3 * with.drop_J, with.most_N);
-        QVERIFY(with.least_J > -kBooks_J && with.drop_J < kBooks_J);
-        QVERIFY(with.taken_J > 0.0 && with.taken_J < 0.75 * without.taken_J); // it does help
+    const std::uint64_t first = drawnSeed();
+    for (const std::uint64_t seed : {first, first + 1}) {
+        const Outcome with = run(hand, 0.8, 1.0, seed);
         // Friction that has become a tenth less than what was identified is still more than the help.
         const Outcome worn = run(hand, 0.8, 1.0 / 0.9, seed);
-        QVERIFY(worn.least_J > -kBooks_J && worn.drop_J < kBooks_J);
+        const QString found =
+            QStringLiteral("%1, seed %2 (CHIRON_FRICTION_SEED repeats it): with the compensation friction "
+                           "takes %3 mJ, worn %4 mJ; largest fall %5 and %6 mJ; at most %7 N")
+                .arg(name)
+                .arg(seed)
+                .arg(1e3 * with.taken_J, 0, 'f', 1)
+                .arg(1e3 * worn.taken_J, 0, 'f', 1)
+                .arg(1e3 * with.drop_J, 0, 'f', 3)
+                .arg(1e3 * worn.drop_J, 0, 'f', 3)
+                .arg(with.most_N, 0, 'f', 3);
+        qInfo("%s", qPrintable(found));
+        QVERIFY2(with.taken_J > 0.0 && with.least_J > -kBooks_J && with.drop_J < kBooks_J, qPrintable(found));
+        QVERIFY2(worn.least_J > -kBooks_J && worn.drop_J < kBooks_J, qPrintable(found));
     }
+}
+
+/// By how much depends on how fast the hand moves, so of a hand that stays the same.
+void TestFrictionCompensation::helps() {
+    const Outcome without = run({}, 0.0, 1.0, 11), with = run({}, 0.8, 1.0, 11);
+    qInfo("friction takes %.1f mJ, with the compensation %.1f mJ", 1e3 * without.taken_J, 1e3 * with.taken_J);
+    QVERIFY(with.taken_J < 0.75 * without.taken_J);
 }
 
 /// The books can tell: friction stated four times as large as it is, so that the help is three times it.

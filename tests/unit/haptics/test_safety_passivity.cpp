@@ -76,6 +76,7 @@ private slots:
     void injectionTakesWhatTheLawsLeave();
     void injectionDoesNotFollowACountingVelocity();
     void contactEndClearsTheBooks();
+    void whatASofterBodySparesIsNotWithheld();
     void rubbishEnergyDoesNoHarm();
 };
 
@@ -314,6 +315,33 @@ void TestSafetyPassivity::contactEndClearsTheBooks() {
         x += 0.02 * kT;
     }
     QVERIFY(acted);
+}
+
+// kept_J() is signed: pressing a body that is rendered softer costs people less, which is no energy that was
+// withheld from them.
+void TestSafetyPassivity::whatASofterBodySparesIsNotWithheld() {
+    const auto rig = freshRig(0);
+    const auto press = [&rig](double x, double v) {
+        pressWall(*rig, x, v, 500.0);
+        rig->scene.energyByBody = true;
+        rig->scene.bodyEnergy_J[0] = rig->scene.storedEnergy_J;
+        rig->scene.bodyStiffness_N_per_m[0] = rig->scene.contactStiffness_N_per_m;
+        rig->tick();
+    };
+    for (int tick = 0; tick < 100; ++tick) // 4 mJ that nobody put in
+        press(-0.004, 0.0);
+    QVERIFY(rig->out.guards & guard_bits::kPassivity);
+    QVERIFY(rig->force().x() < 1.5); // of 2 N
+    QCOMPARE(rig->out.energyKept_J, 0.0);
+    for (int tick = 1; tick <= 40; ++tick) // further in
+        press(-0.004 - 5e-5 * tick, -0.05);
+    const double spared_J = -rig->out.energyKept_J;
+    QVERIFY(spared_J > 0.0005);
+    QCOMPARE(rig->out.energyWithheld_J, 0.0);
+    for (int tick = 1; tick <= 40; ++tick) // and back
+        press(-0.006 + 5e-5 * tick, 0.05);
+    QVERIFY(rig->out.energyWithheld_J > 0.0005);
+    QVERIFY(std::abs(rig->out.energyWithheld_J - (rig->out.energyKept_J + spared_J)) < 1e-12);
 }
 
 void TestSafetyPassivity::rubbishEnergyDoesNoHarm() {

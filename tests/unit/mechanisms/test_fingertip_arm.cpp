@@ -87,6 +87,7 @@ private slots:
     void theApparentMassIsThatOfAPush();
     void theVerificationHolds();
     void theVerificationNoticesAWorseArm();
+    void theVerificationRefusesSettingsOutOfRange();
     void sameSeedSameBits();
 };
 
@@ -440,7 +441,7 @@ void TestFingertipArm::theApparentMassIsThatOfAPush() {
 }
 
 void TestFingertipArm::theVerificationHolds() {
-    const auto v = mechanisms::verifyFingertipArm({}, 77);
+    const auto v = mechanisms::verifyFingertipArm({}, 77).value();
     QVERIFY(v.holds());
     QCOMPARE(v.poses, 9 * 9 * 9 * 6);
     QCOMPARE(v.drags.size(), std::size_t{9});
@@ -460,7 +461,7 @@ void TestFingertipArm::theVerificationNoticesAWorseArm() {
     const auto with = [](auto&& change) {
         FingertipArmParameters p;
         change(p);
-        return mechanisms::verifyFingertipArm(p, 77, {.grid = 2, .speeds_m_per_s = {0.20}});
+        return mechanisms::verifyFingertipArm(p, 77, {.grid = 2, .speeds_m_per_s = {0.20}}).value();
     };
     const auto asItIs = with([](FingertipArmParameters&) {});
     QVERIFY(asItIs.holds());
@@ -483,7 +484,34 @@ void TestFingertipArm::theVerificationNoticesAWorseArm() {
     auto other = asItIs;
     other.drags[0].felt_N = 1.06 * other.drags[0].given_N;
     QVERIFY(!other.holds());
+    other.drags[0].felt_N = std::nan(""); // not measured is not fulfilled, wherever it stands
+    QVERIFY(std::isnan(other.frictionError()) && !other.holds());
+    other = asItIs;
+    other.drags.back().felt_N = std::nan("");
+    QVERIFY(std::isnan(other.frictionError()) && !other.holds());
     QVERIFY(!mechanisms::FingertipArmVerification{}.holds());
+}
+
+/// Of no grid at all every figure would be 0, or not a number, and at no speed the pad would be moved for
+/// ever.
+void TestFingertipArm::theVerificationRefusesSettingsOutOfRange() {
+    const auto refused = [](int grid, const std::vector<double>& speeds_m_per_s) {
+        const auto v = mechanisms::verifyFingertipArm({}, 77, {grid, speeds_m_per_s});
+        return !v && v.error().code == core::ErrorCode::badInput;
+    };
+    for (const int grid : {-1, 0, 51})
+        QVERIFY2(refused(grid, {0.2}), qPrintable(QString::number(grid)));
+    QVERIFY(refused(2, {}));
+    for (const double speed : {0.0, -0.2, 0.0049, 1.001, HUGE_VAL, std::nan("")}) {
+        QVERIFY2(refused(2, {speed}), qPrintable(QString::number(speed)));
+        QVERIFY2(refused(2, {0.2, speed}), qPrintable(QString::number(speed)));
+    }
+    const auto coarsest = mechanisms::verifyFingertipArm({}, 77, {1, {1.0}});
+    QVERIFY(coarsest.has_value());
+    QCOMPARE(coarsest->poses, 2 * 2 * 2 * 6);
+    QCOMPARE(coarsest->drags.size(), std::size_t{3});
+    for (const auto& drag : coarsest->drags)
+        QVERIFY(std::isfinite(drag.felt_N) && drag.given_N > 0.0);
 }
 
 void TestFingertipArm::sameSeedSameBits() {

@@ -106,6 +106,34 @@ private slots:
         QVERIFY2(highest < 2e-4, qPrintable(QString::number(highest)));
     }
 
+    /// Held still by a torque about the pitch axis, with all of the weight balanced: nothing moves, and the
+    /// energy is that of springs which carry the same torque.
+    void bristlesAndStopsStoreEnergy() {
+        FiveBarPlantParameters p;
+        p.counterbalance = 1.0;
+        FiveBarPlant held(p); // by friction: tendon and bristle in series
+        held.reset(at(Vec3(0.0, 0.0, 0.06), 0.6));
+        const double rest = held.energy_J();
+        const double small_Nm = 0.5 * p.friction[2].coulomb;
+        for (int n = 0; n < 3000; ++n)
+            tick(held, {}, false, {Vec3::Zero(), std::min(1.0, n / 1000.0) * small_Nm * Vec3::UnitX()});
+        const double springs =
+            0.5 * small_Nm * small_Nm * (1.0 / p.tendonStiffness[2] + 1.0 / p.friction[2].bristleStiffness);
+        QVERIFY2(std::abs((held.energy_J() - rest) / springs - 1.0) < 0.05,
+                 qPrintable(QString::number((held.energy_J() - rest) / springs)));
+
+        for (auto& friction : p.friction)
+            friction = {0.0, 0.0, 0.0, friction.viscous};
+        FiveBarPlant stopped(p); // by the stop alone: the motor comes along
+        stopped.reset(at(Vec3(0.0, 0.0, 0.06), p.mountingPitch_rad + p.maximum[2]));
+        const double before = stopped.energy_J(), torque_Nm = 0.1;
+        for (int n = 0; n < 3000; ++n)
+            tick(stopped, {}, false, {Vec3::Zero(), torque_Nm * Vec3::UnitX()});
+        const double stop = 0.5 * torque_Nm * torque_Nm / p.stopStiffness[2];
+        QVERIFY2(std::abs((stopped.energy_J() - before) / stop - 1.0) < 0.01,
+                 qPrintable(QString::number((stopped.energy_J() - before) / stop)));
+    }
+
     /// P1's largest forces and torques; what is asked for beyond saturates, and says so.
     void motorsGiveP1sLimitsAndNoMore() {
         const FiveBarPlantParameters p;

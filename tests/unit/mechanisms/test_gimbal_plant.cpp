@@ -4,6 +4,7 @@
 #include "mechanisms/lugre_friction.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron;
@@ -18,6 +19,7 @@ class TestGimbalPlant : public QObject {
     Q_OBJECT
 private slots:
     void energyIsKeptWithoutLosses();
+    void bristlesStoreEnergy();
     void tipFeelsTheDeviceOfTheModels();
     void feedForwardCarriesTheWeight();
     void withoutMotorsItSinks();
@@ -81,6 +83,22 @@ void TestGimbalPlant::energyIsKeptWithoutLosses() {
     const double coarse = drift(4), fine = drift(64);
     QVERIFY2(fine < 1e-3, qPrintable(QString::number(fine)));
     QVERIFY2(fine < coarse / 8.0, qPrintable(QString("%1 %2").arg(coarse).arg(fine)));
+}
+
+// Held still by friction against a force along its depth, with all of the weight balanced: the energy is that
+// of the bristle, a spring that carries this force.
+void TestGimbalPlant::bristlesStoreEnergy() {
+    GimbalPlantParameters p;
+    p.counterbalance = 1.0;
+    GimbalPlant plant(p);
+    plant.reset({0.0, 0.0, 0.0, 0.18});
+    const double rest = plant.energy_J(), force_N = 0.5 * p.friction[3].coulomb;
+    for (int n = 0; n < 2000; ++n)
+        tick(plant, GimbalVector::Zero(), false,
+             std::min(1.0, n / 500.0) * force_N * GimbalKinematics::directionToD(Vec3::UnitZ()));
+    const double bristle = 0.5 * force_N * force_N / p.friction[3].bristleStiffness;
+    QVERIFY2(std::abs((plant.energy_J() - rest) / bristle - 1.0) < 0.01,
+             qPrintable(QString::number((plant.energy_J() - rest) / bristle)));
 }
 
 // models.md §4: device 0.15 kg; here within 10 % in each direction at the nominal depth, and 0.5 N·s/m.

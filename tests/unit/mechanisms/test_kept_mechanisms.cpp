@@ -441,7 +441,7 @@ void TestKeptMechanisms::whatIsFoundOfTheArm() {
     FingertipArmVerificationSettings s;
     s.grid = 3;
     s.speeds_m_per_s = {0.1};
-    const auto v = verifyFingertipArm({}, 21, s);
+    const auto v = verifyFingertipArm({}, 21, s).value();
     NumberLines lines;
     lines.add(QStringLiteral("poses"),
               {static_cast<double>(v.poses), static_cast<double>(v.reached), v.holds() ? 1.0 : 0.0});

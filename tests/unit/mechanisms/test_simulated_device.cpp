@@ -107,6 +107,21 @@ void TestSimulatedDevice::reopeningStartsAfresh() {
     device->close();
     QVERIFY(device->open());
     QCOMPARE(device->read(source.next(0)).counts, first);
+    device->close();
+    const auto run = [&device] { // the hand trembles: two runs differ unless its tremor begins anew, too
+        std::vector<Vec3> hand;
+        realtime::TickSource ticks;
+        for (int i = 0; i < 300; ++i) {
+            device->command(ticks.next(0), {});
+            hand.push_back(device->hand().p_D());
+        }
+        return hand;
+    };
+    QVERIFY(device->open());
+    const std::vector<Vec3> once = run();
+    device->close();
+    QVERIFY(device->open());
+    QVERIFY(run() == once);
 }
 
 void TestSimulatedDevice::cuesReachTheMindInD() {
@@ -159,6 +174,19 @@ void TestSimulatedDevice::refusesBadConfigurations() {
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
     configuration.start_D = Vec3(0.3, 0.0, 0.0); // out of travel
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
+    // More compensation than the loop gives is refused, not stated and then withheld.
+    for (const double share : {-0.01, 0.81, 1.0, std::nan("")}) {
+        SimulatedDevice::Configuration compensated;
+        compensated.frictionCompensation = share;
+        const auto refused = SimulatedDevice::create(compensated, circling());
+        QVERIFY2(!refused && refused.error().code == core::ErrorCode::badInput,
+                 qPrintable(QString::number(share)));
+    }
+    SimulatedDevice::Configuration most;
+    most.frictionCompensation = devices::kMostFrictionCompensation;
+    const auto made = SimulatedDevice::create(most, circling());
+    QVERIFY(made.has_value());
+    QCOMPARE((*made)->descriptor().frictionCompensation, 0.8);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <QtTest>
 #include <cmath>
+#include <vector>
 
 using namespace chiron;
 using core::Vec3;
@@ -92,6 +93,25 @@ private slots:
             a->command(nowA, command);
             b->command(nowB, command);
         }
+    }
+
+    void reopenedItDoesTheSameAgain() {
+        auto device = make();
+        const auto run = [&device] {
+            std::vector<core::Vec3> wrist;
+            realtime::TickSource source;
+            for (int n = 0; n < 300; ++n) {
+                device->command(source.next(0), {});
+                wrist.push_back(device->wrist().w_D());
+            }
+            return wrist;
+        };
+        QVERIFY(device->open().has_value());
+        const std::vector<core::Vec3> once = run();
+        device->close();
+        QVERIFY(device->open().has_value());
+        QVERIFY(run() == once);
+        QVERIFY(once.back().norm() > 0.0);
     }
 
     /// Force and torque reach the hand, and `measured` says what the motors gave, torque included, in W.

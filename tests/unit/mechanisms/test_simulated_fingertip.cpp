@@ -5,7 +5,9 @@
 #include "mechanisms/rotation_vector.h"
 
 #include <QtTest>
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace chiron;
 using core::Vec3;
@@ -80,6 +82,7 @@ private slots:
     void thePadIsPerceivedAndMeasured();
     void twoFingersShareOneArm();
     void sameSeedSameBits();
+    void reopenedItDoesTheSameAgain();
     void badConfigurationsAreRefused();
 };
 
@@ -244,6 +247,27 @@ void TestSimulatedFingertip::sameSeedSameBits() {
         differs = differs || a.sample.counts != c.sample.counts;
     }
     QVERIFY(differs);
+}
+
+/// Arm, platforms, sensors and tremor begin anew, of the second finger too.
+void TestSimulatedFingertip::reopenedItDoesTheSameAgain() {
+    Rig rig;
+    const auto run = [&rig] {
+        std::vector<std::array<std::int32_t, core::kMaxCoordinates>> counts;
+        rig.ticks = {};
+        for (int n = 0; n < 600; ++n) {
+            rig.tick(shown(1.0, 0.1, 0.0), shown(0.5));
+            counts.push_back(rig.sample.counts);
+            counts.push_back(rig.sampleOfSecond.counts);
+        }
+        return counts;
+    };
+    const auto once = run();
+    rig.first->close();
+    rig.second->close();
+    QVERIFY(rig.first->open() && rig.second->open());
+    QVERIFY(run() == once);
+    QVERIFY(once.back() != once[1]);
 }
 
 void TestSimulatedFingertip::badConfigurationsAreRefused() {

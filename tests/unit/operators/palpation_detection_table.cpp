@@ -64,8 +64,9 @@ int main(int argc, char** argv) {
     const auto first = static_cast<std::uint64_t>(argc > 3 ? std::atoi(argv[3]) : 1);
     const int trials = argc > 4 ? std::atoi(argv[4]) : 4;
     simulation::PalpationParameters p;
-    std::printf("| lump | hits | false alarms | d′ | c | mm off | coverage, %% | in band, %% | N max. | s "
-                "over | s | done |\n");
+    std::printf("| %s | hits | false alarms | d′ | c | mm off | coverage, %% | in band, %% | N max. | s "
+                "over | s | done |\n",
+                name == "all" ? "operator" : "lump");
     std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     const simulation::LumpKind usual{0.0075, 0.012, 10.0, 5};
     if (name == "all") {

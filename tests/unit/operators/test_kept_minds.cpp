@@ -5,11 +5,11 @@
 // they did; these, that no habit changes that those seldom come by.
 #include "support/kept_figures.h"
 
-#include "core/laparoscopy_cues.h"
-#include "core/procedure_stage.h"
 #include "core/random.h"
 #include "core/tool_state.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
+#include "cues/procedure_stage.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"

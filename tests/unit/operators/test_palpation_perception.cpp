@@ -25,6 +25,7 @@ private slots:
     void mapOfNoiseStaysBelow();
     void mapTellsTwoApart();
     void leanAlonePointsAtIt();
+    void whatIsFeltIsWeighedByItsNoise();
     void gridCoversTheArea();
     void twoFingersShareTheColumns();
     void spiralAndRandomStayInside();
@@ -219,6 +220,35 @@ void TestPalpationPerception::leanAlonePointsAtIt() {
     EvidenceMap map({0.04, 0.04});
     pressGrid(map, {{{0.010, 0.006}, 0.6, 0.0, 0.013}}, 0.05, 0.01, 9, true);
     QVERIFY((weighed(map).place_m - Vec2(0.010, 0.006)).norm() < 0.008);
+}
+
+// Least squares by hand. Twelve presses lie 8 mm from a place, half of them on either side. All lean away
+// from it and equally far across; their stiffness differs, but in the same way on both sides.
+void TestPalpationPerception::whatIsFeltIsWeighedByItsNoise() {
+    constexpr double kAway_m = 0.008, kDepth_m = 0.006, kLean_rad = 0.10, kAcross_rad = 0.05, kUneven = 0.1;
+    constexpr double kToSd = 1.4826; // of a normal distribution: SD over median absolute deviation
+    EvidenceMap map({0.04, 0.04});
+    for (const double side : {-1.0, 1.0})
+        for (const double across : {-kAcross_rad, kAcross_rad})
+            for (const double share : {1.0 - kUneven, 1.0, 1.0 + kUneven}) {
+                Press press;
+                press.place_m = Vec2(side * kAway_m, 0.0);
+                press.depth_m = kDepth_m;
+                press.stiffness_N_per_m = 300.0 * share;
+                press.lean_rad = Vec2(side * kLean_rad, across);
+                map.add(press);
+            }
+    map.begin();
+    const Suspicion found = map.at(Vec2::Zero());
+    const double w2 = found.width_m * found.width_m, q = 1.0 / (1.0 + kAway_m * kAway_m / w2);
+    const double stiffness = q * q * q, lean = 3.0 * kDepth_m * kAway_m / w2 * stiffness * q;
+    const double ofStiffness = 1.0 / std::pow(kToSd * kUneven, 2),
+                 ofLean = 1.0 / std::pow(0.5 * kToSd * (kLean_rad + kAcross_rad), 2);
+    const double most = 12.0 * (ofStiffness * stiffness * stiffness + ofLean * lean * lean);
+    const double speaks = 12.0 * ofLean * lean * kLean_rad; // what is uneven cancels out
+    QVERIFY2(std::abs(found.amplitude - speaks / most) < 1e-9, qPrintable(QString::number(found.amplitude)));
+    QVERIFY2(std::abs(found.evidence - speaks / std::sqrt(most)) < 1e-9,
+             qPrintable(QString::number(found.evidence)));
 }
 
 void TestPalpationPerception::gridCoversTheArea() {

@@ -12,6 +12,7 @@ class TestFitWarnings : public QObject {
     Q_OBJECT
 private slots:
     void warningsBeginWhereTheySay();
+    void stepsThatChanceExplains();
     void fallsThatChanceExplainsBadly();
 };
 
@@ -121,6 +122,29 @@ void TestFitWarnings::warningsBeginWhereTheySay() {
     uneven.spacing = 0.00399;
     QCOMPARE(said(uneven, FitOptions{}, bayesian), QStringLiteral("uneven_levels"));
     QCOMPARE(said(uneven, FitOptions{}, [](FitResult&) {}), QString());
+}
+
+/// Twice the logarithm of the likelihood ratio of the best curve to the best step, just below and above the
+/// 95 % quantile for one parameter: 3.841 where lapse and guess are known, and 4.231 where the lapse rate is
+/// fitted and may be 0 (Self & Liang 1987). The ratios are those of a search of its own, with another method.
+void TestFitWarnings::stepsThatChanceExplains() {
+    const auto maybeStep = [](const std::vector<double>& right, const Asymptote& lapse) {
+        FitOptions options;
+        options.lapse = lapse;
+        const PreparedLevels levels =
+            prepareLevels({{0, 1, 2, 3, 4}, right, {40, 40, 40, 40, 40}}, StimulusScale::linear);
+        FitResult fit;
+        fit.fitted = true;
+        fit.best = {2.0, 2.0, 0.02, 0.5, 0.0}; // wide, so that nothing else speaks for a step
+        summarise(fit, levels);
+        addWarnings(fit, levels, options);
+        return std::any_of(fit.warnings.begin(), fit.warnings.end(),
+                           [](const std::string& warning) { return warning.starts_with("step_function: "); });
+    };
+    QVERIFY(maybeStep({19, 22, 27, 34, 40}, Asymptote::fixedAt(0.0)));  // 3.776
+    QVERIFY(!maybeStep({19, 20, 23, 26, 37}, Asymptote::fixedAt(0.0))); // 3.937
+    QVERIFY(maybeStep({15, 17, 28, 33, 39}, Asymptote::fitted()));      // 4.058
+    QVERIFY(!maybeStep({23, 20, 30, 36, 40}, Asymptote::fitted()));     // 4.472
 }
 
 /// Answers that fall by more than 2.58 standard errors (p = 0.01) between a lower and a higher part of the

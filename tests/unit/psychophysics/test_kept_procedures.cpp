@@ -37,8 +37,13 @@ const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/psychophysic
 
 void tell(Figures& out, const ProcedureEstimate& of) {
     out.say(QStringLiteral("estimate"), (of.known ? "known, " : "unknown, ") + of.method);
-    for (const NamedEstimate& one : of.parameters)
-        out.add(QString::fromStdString(one.name), one.mean, one.sd, one.low, one.high, one.mode, one.edge);
+    for (const NamedEstimate& one : of.parameters) {
+        const int cut = one.cutBelow && one.cutAbove ? 2
+                        : one.cutBelow               ? -1
+                        : one.cutAbove               ? 1
+                                                     : 0; // 2: both
+        out.add(QString::fromStdString(one.name), one.mean, one.sd, one.low, one.high, one.mode, cut);
+    }
     out.say(QStringLiteral("warns"), of.warnings);
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated observers, planning and estimates have one model of every task: what is planned comes back.
+#include "core/random.h"
+#include "psychophysics/measures/run_curve.h"
+#include "psychophysics/measures/sample_moments.h"
 #include "psychophysics/planning/fisher_information.h"
 #include "psychophysics/planning/study_plan.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron::psychophysics;
@@ -14,6 +18,8 @@ private slots:
     void everyTask_data();
     void everyTask();
     void informationOfYesNo();
+    void quantilesHaveTheirErrors();
+    void aFigureHasTheErrorOfTheSpread();
 };
 
 void TestPlanCoverage::everyTask_data() {
@@ -50,6 +56,12 @@ void TestPlanCoverage::everyTask() {
     QCOMPARE(plan.withoutEstimate, 0);
     QVERIFY(std::abs(plan.biasLog10) < 0.03 + 3.0 * plan.sdLog10 / std::sqrt(40.0));
     QVERIFY(plan.coverage * 40.0 > 33.5);
+    // Of a median of normal logarithms: √(π/2) of the mean's.
+    const double ofMedian =
+        std::sqrt(0.5 * std::acos(-1.0)) * std::log(10.0) * plan.sdLog10 * plan.weber50 / std::sqrt(40.0);
+    QVERIFY2(plan.weber50Error > 0.4 * ofMedian && plan.weber50Error < 2.5 * ofMedian,
+             qPrintable(QString::number(plan.weber50Error / ofMedian)));
+    QVERIFY(plan.weber10Error > 0.0 && plan.weber90Error > 0.0);
 }
 
 /// The rule of yes-no on the half of its trials that show the difference is that of 2AFC: both percepts are
@@ -58,6 +70,49 @@ void TestPlanCoverage::informationOfYesNo() {
     for (const double d : {0.5, 1.0, 2.0, 4.0})
         QVERIFY(std::abs(fisherInformation(Task::yesNo, d, 0.02) -
                          0.5 * fisherInformation(Task::twoAfc, d, 0.02)) < 1e-9);
+}
+
+/// What a quantile varies by when the values are drawn anew, found by drawing them anew; less of more values.
+void TestPlanCoverage::quantilesHaveTheirErrors() {
+    chiron::core::Random random(7);
+    double before = HUGE_VAL;
+    for (const std::size_t count : {20u, 80u, 320u}) {
+        double errorOfMedian = 0.0;
+        for (const double share : {0.1, 0.5, 0.9}) {
+            std::vector<double> quantiles, errors;
+            for (int again = 0; again < 400; ++again) {
+                std::vector<double> values(count);
+                std::generate(values.begin(), values.end(),
+                              [&] { return 0.12 * std::exp(0.3 * random.normal()); });
+                std::sort(values.begin(), values.end());
+                quantiles.push_back(quantileOf(values, share));
+                errors.push_back(quantileErrorOf(values, share));
+            }
+            const double told = momentsOf(errors).mean, is = momentsOf(quantiles).sd;
+            QVERIFY2(told > 0.75 * is && told < 1.4 * is,
+                     qPrintable(QStringLiteral("%1 values, %2: %3").arg(count).arg(share).arg(told / is)));
+            errorOfMedian = share == 0.5 ? told : errorOfMedian;
+        }
+        QVERIFY(errorOfMedian < 0.65 * before);
+        before = errorOfMedian;
+    }
+    QVERIFY(std::isnan(quantileErrorOf({0.1}, 0.5)) && std::isnan(quantileErrorOf({}, 0.5)));
+    QCOMPARE(quantileErrorOf(std::vector<double>(30, 0.1), 0.1), 0.0);
+}
+
+/// To first order the derivative by the spread, times its error.
+void TestPlanCoverage::aFigureHasTheErrorOfTheSpread() {
+    const PowerQuestion question{.runSdLog10 = 0.1, .participants = 12};
+    const auto linear = [](const PowerQuestion& q) { return 3.0 * q.runSdLog10; };
+    QVERIFY(std::abs(figureError(question, 0.02, linear) - 0.06) < 1e-12);
+    const auto smallest = [](const PowerQuestion& q) { return detectableRatio(q, 0.8); };
+    const double error = figureError(question, 0.02, smallest);
+    QVERIFY(error > 0.0 && figureError(question, 0.04, smallest) > error);
+    QVERIFY(std::isnan(figureError(question, std::nan(""), smallest)));
+    PowerQuestion few = question;
+    few.participants = 2;
+    few.runSdLog10 = 2.0; // finds nothing
+    QVERIFY(std::isnan(figureError(few, 0.02, smallest)));
 }
 
 QTEST_APPLESS_MAIN(TestPlanCoverage)

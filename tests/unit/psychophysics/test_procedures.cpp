@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kind of procedure: undo, spoiled trials, ends, estimates.
 #include "procedure_runs.h"
+#include "psychophysics/procedures/posterior_grid.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -77,6 +78,7 @@ private slots:
     void descendingSaysItsBias();
     void evenNumberOfReversals();
     void questStaysInRange();
+    void bothEndsOfAGridAreNamed();
     void logStepsComeBackFromTheEnd();
     void untruncatedStaircaseMayStartOutside();
     void pseInTheMiddleOfAPlateau();
@@ -371,6 +373,37 @@ void TestProcedures::questStaysInRange() {
     QVERIFY(procedure->done());
     const NamedEstimate e = procedure->estimate().parameters[0];
     QVERIFY(e.low < e.mean && e.mean < e.high);
+}
+
+/// Where the grid cuts the posterior off at both ends, the warning names both.
+void TestProcedures::bothEndsOfAGridAreNamed() {
+    QuestSpec spec;
+    spec.range = 0.2; // an answer hardly distinguishes thresholds this close together
+    auto narrow = *makeProcedure(spec, 1);
+    QVERIFY(narrow->record(1, narrow->next().stimulus));
+    const ProcedureEstimate both = narrow->estimate();
+    QVERIFY(both.parameters[0].cutBelow && both.parameters[0].cutAbove);
+    QCOMPARE(
+        QString::fromStdString(both.warnings.at(0)),
+        QStringLiteral("grid_edge: answers do not tell how small or how large threshold is: its estimate "
+                       "and interval end with the procedure's grid"));
+    const auto estimateOf = [](const std::vector<double>& prior) {
+        return PosteriorGrid::make({ParameterGrid{"slope", {1.0, 2.0, 3.0}, prior, false}})
+            .value()
+            .estimate(0);
+    };
+    const NamedEstimate flat = estimateOf({1.0, 1.0, 1.0}), low = estimateOf({1.0, 1.0, 0.1}),
+                        high = estimateOf({0.1, 1.0, 1.0}), inside = estimateOf({0.1, 1.0, 0.1});
+    QVERIFY(flat.cutBelow && flat.cutAbove);
+    QVERIFY(low.cutBelow && !low.cutAbove);
+    QVERIFY(!high.cutBelow && high.cutAbove);
+    QVERIFY(!inside.cutBelow && !inside.cutAbove);
+    ProcedureEstimate named;
+    named.parameters = {low, high, flat};
+    warnOfGridEdges(named, 2);
+    QCOMPARE(named.warnings.size(), std::size_t{2});
+    QVERIFY(named.warnings[0].find("how small slope") != std::string::npos &&
+            named.warnings[1].find("how large slope") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestProcedures)

@@ -25,6 +25,8 @@ private slots:
     void resumedRecordingEqualsAnUndisturbedOne();
     void ringToStoreLosesNothing();
     void fullSinkFillsTheRingAndIsReported();
+    void framesThatWereNotTakenAreOfferedAgain_data();
+    void framesThatWereNotTakenAreOfferedAgain();
     void crashBetweenStoreAndMarkStoresNothingTwice();
     void twoThreads();
 
@@ -115,6 +117,17 @@ void TestRecorder::refusesOtherToolsAndFramesAfterTheEnd() {
     QVERIFY(recorder.finish());
     QCOMPARE(f.sink.calls, 0); // nothing recorded, nothing written
     QCOMPARE(recorder.add(HapticTrace(1, 2).take(1)).error().code, core::ErrorCode::wrongUse);
+    // Of a batch, what comes before the refused frame is taken, and the count says so.
+    Fixture other(1);
+    Recorder partly = other.recorder();
+    auto frames = HapticTrace(1, 1).take(5);
+    frames[3].tools = 2;
+    QVERIFY(!partly.add(frames));
+    QCOMPARE(partly.framesTaken(), std::uint64_t{3});
+    frames[3].tools = 1;
+    QVERIFY(partly.add(std::span(frames).subspan(3)));
+    QVERIFY(partly.finish());
+    QCOMPARE(*RecordingReader::open(other.store)->frameCount(), std::uint64_t{5});
 }
 
 void TestRecorder::resumedRecordingEqualsAnUndisturbedOne_data() {
@@ -191,6 +204,48 @@ void TestRecorder::fullSinkFillsTheRingAndIsReported() {
     QVERIFY(drain.finish());
     QCOMPARE(*RecordingReader::open(f.store)->frameCount(), kept);
     QVERIFY(crashRing->hasRoom());
+}
+
+void TestRecorder::framesThatWereNotTakenAreOfferedAgain_data() {
+    QTest::addColumn<int>("frames");
+    QTest::addRow("one batch") << 10;
+    QTest::addRow("many batches") << 700;
+}
+
+/// What the recorder refused once it refuses again, so that no end of a session passes for a complete one:
+/// the ring's file stays, and the frames can be recovered from it.
+void TestRecorder::framesThatWereNotTakenAreOfferedAgain() {
+    QFETCH(int, frames);
+    std::filesystem::path path;
+    {
+        Fixture f(2); // the table has two tools, the ring one
+        const auto crashRing = ring();
+        path = crashRing->path();
+        Recorder recorder = f.recorder();
+        FrameDrain drain(*crashRing, recorder);
+        for (const auto& frame : HapticTrace(9).take(static_cast<std::size_t>(frames)))
+            QVERIFY(crashRing->tryPush(frame));
+        for (int again = 0; again < 20; ++again) {
+            const auto drained = drain.drain(0);
+            QVERIFY(!drained && drained.error().code == core::ErrorCode::wrongUse);
+        }
+        QVERIFY(!drain.finish());
+        QVERIFY(!drain.finish());
+        QCOMPARE(recorder.framesTaken(), std::uint64_t{0});
+    }
+    auto left = recoverRing(path);
+    QVERIFY(left);
+    QCOMPARE(left->frames().size(), static_cast<std::size_t>(frames));
+    QVERIFY(left->remove());
+
+    Fixture ended; // frames that come after the end
+    const auto late = ring();
+    Recorder closed = ended.recorder();
+    FrameDrain lateDrain(*late, closed);
+    QVERIFY(lateDrain.finish());
+    QVERIFY(late->tryPush(HapticTrace(9).take(1).front()));
+    QVERIFY(!lateDrain.finish());
+    QVERIFY(!lateDrain.finish());
 }
 
 void TestRecorder::crashBetweenStoreAndMarkStoresNothingTwice() {

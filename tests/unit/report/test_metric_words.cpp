@@ -4,6 +4,7 @@
 #include "scoring/metric_catalogue.h"
 #include "scoring/undefined_reason.h"
 #include "session_report/metric_words.h"
+#include "session_report/session_report.h"
 
 #include <QtTest>
 #include <set>
@@ -44,6 +45,29 @@ private slots:
                  session_report::metricTitle(QStringLiteral("force_max")));
         QCOMPARE(session_report::momentTitle(QStringLiteral("reversals")),
                  session_report::metricTitle(QStringLiteral("reversals")));
+    }
+
+    /// A benchmark is that of the metric's row in this version; a metric without one has none.
+    void aBenchmarkComesFromTheRowOfItsMetric() {
+        int bands = 0;
+        for (const scoring::MetricDefinition& metric : scoring::metricCatalogue()) {
+            report::MetricRow row;
+            row.id = QString::fromStdString(std::string(metric.id));
+            session_report::addPublishedBand(row, metric.version);
+            QCOMPARE(row.bandLow.has_value(), metric.published.has_value());
+            QCOMPARE(row.bandHigh.has_value(), metric.published.has_value());
+            QCOMPARE(row.bandSource.isEmpty(), !metric.published.has_value());
+            if (!metric.published)
+                continue;
+            ++bands;
+            QVERIFY(*row.bandLow == metric.published->low && *row.bandHigh == metric.published->high);
+            QVERIFY(!session_report::bandSourceText(row.bandSource).isEmpty());
+        }
+        QVERIFY(bands > 0);
+        report::MetricRow unknown;
+        unknown.id = QStringLiteral("knitting");
+        session_report::addPublishedBand(unknown, 1);
+        QVERIFY(!unknown.bandLow && unknown.bandSource.isEmpty());
     }
 
     void everyReasonHasWords() {

@@ -52,7 +52,7 @@ psychophysics::StudyDesign designOf(const std::string& id, bool blind) {
 /// One word after another, however lines were broken. Punctuation between capitals may be missing: the font
 /// has glyphs of its own for it.
 QString textOf(const QString& pdf) {
-    return tests::textOfPdf(pdf).simplified();
+    return tests::pdfText(pdf).simplified();
 }
 
 } // namespace

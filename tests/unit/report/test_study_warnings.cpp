@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/study_report_words.h"
 #include "session_report/study_warning_words.h"
+#include "support/languages.h"
 
 #include <QSet>
 #include <QTranslator>
@@ -77,7 +78,7 @@ bool isGreek(const QString& words) {
 
 void TestStudyWarnings::everyKindHasWords_data() {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "el"})
+    for (const char* language : tests::languageIds())
         QTest::newRow(language) << QString::fromLatin1(language);
 }
 

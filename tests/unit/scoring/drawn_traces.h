@@ -4,7 +4,7 @@
 #include "palpation_traces.h"
 
 #include "core/random.h"
-#include "core/report_word.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 #include "scoring/trace.h"
 
 #include <algorithm>
@@ -288,9 +288,9 @@ inline std::vector<TrialTrace> palpated() {
                          .found(0, 0.0, 0.001, 2, 3, 75)
                          .found(1, 0.02, 0.001, 2, 3, 75)
                          .found(2, -0.02, 0.002, 2, 2, 90)
-                         .say(core::ReportField::remove, 1, 1)
+                         .say(simulation::ReportField::remove, 1, 1)
                          .at(250)
-                         .say(core::ReportField::done, 0)
+                         .say(simulation::ReportField::done, 0)
                          .covered(0.4));
     trials.push_back(MadeTrial().found(0, 0.01, 0.0, 1));
     trials.push_back(MadeTrial(std::vector<MadeLump>{{0.0, 0.0, 0.0075, 2}}).press(0, 0, 300, 4.5));

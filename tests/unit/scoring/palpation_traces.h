@@ -2,8 +2,8 @@
 // Trials of a palpation that were made up, as a recording tells them.
 #pragma once
 
-#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 #include "scoring/trace.h"
 
 #include <cstddef>
@@ -53,16 +53,16 @@ public:
     /// A finding in place `number`, with what is said of it (0: nothing).
     MadeTrial& found(int number, double x_m, double y_m, int confidence = 0, int hardness = 0,
                      unsigned size = 0) {
-        say(core::ReportField::found, number, 0, x_m, y_m);
+        say(simulation::ReportField::found, number, 0, x_m, y_m);
         if (confidence > 0)
-            say(core::ReportField::confidence, number, static_cast<unsigned>(confidence), x_m, y_m);
+            say(simulation::ReportField::confidence, number, static_cast<unsigned>(confidence), x_m, y_m);
         if (hardness > 0)
-            say(core::ReportField::hardness, number, static_cast<unsigned>(hardness), x_m, y_m);
+            say(simulation::ReportField::hardness, number, static_cast<unsigned>(hardness), x_m, y_m);
         if (size > 0)
-            say(core::ReportField::size, number, size, x_m, y_m);
+            say(simulation::ReportField::size, number, size, x_m, y_m);
         return *this;
     }
-    MadeTrial& say(core::ReportField field, int finding, unsigned value = 0, double x_m = 0.0,
+    MadeTrial& say(simulation::ReportField field, int finding, unsigned value = 0, double x_m = 0.0,
                    double y_m = 0.0) {
         const double told[] = {++m_count,
                                static_cast<double>(field),

@@ -64,6 +64,7 @@ private slots:
     void longGapEndsARun();
     void emptyTrialsHaveReasons();
     void everyRowIsWhole();
+    void aBenchmarkStaysWithItsVersion();
 };
 
 void TestMetrics::pathOfCircle() {
@@ -279,6 +280,9 @@ void TestMetrics::everyRowIsWhole() {
         QVERIFY2(metric.meaning.back() == '.' && metric.title.back() != '.', id);
         QVERIFY2(metric.measure != nullptr, id);
         QVERIFY2(metric.chance.metric.empty() || findMetric(metric.chance.metric) != nullptr, id);
+        QVERIFY2(!metric.published ||
+                     (metric.published->low < metric.published->high && !metric.published->source.empty()),
+                 id);
         const MetricDefinition*& before = last[metric.id];
         QVERIFY2(metric.version == (before ? before->version + 1 : 1), id);
         // A new version measures anew; what people call it and what it is counted in stay.
@@ -295,6 +299,13 @@ void TestMetrics::everyRowIsWhole() {
         QCOMPARE(toString(findMetric(force)->tools), std::string_view("all"));
     }
     QVERIFY(last.size() > 60);
+}
+
+/// A benchmark belongs to the version that measures what was published.
+void TestMetrics::aBenchmarkStaysWithItsVersion() {
+    const auto& published = findMetric("apex_error_mean", 1)->published;
+    QVERIFY(published && std::abs(published->low - 2.9) < 1e-12 && std::abs(published->high - 25.5) < 1e-12);
+    QVERIFY(!findMetric("apex_error_mean", 2)->published); // counts misses differently
 }
 
 void TestMetrics::emptyTrialsHaveReasons() {

@@ -12,7 +12,7 @@
 
 using namespace chiron;
 using namespace chiron::scoring;
-using core::ReportField;
+using simulation::ReportField;
 using tests::MadeLump;
 using tests::MadeTrial;
 

@@ -2,8 +2,8 @@
 // Metrics of palpation on trials that were made up, each against a number worked out by hand.
 #include "core/contact_bits.h"
 #include "core/normal_distribution.h"
-#include "core/report_word.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 #include "palpation_traces.h"
 #include "scoring/metric.h"
 #include "scoring/metric_catalogue.h"
@@ -16,7 +16,7 @@
 
 using namespace chiron;
 using namespace chiron::scoring;
-using core::ReportField;
+using simulation::ReportField;
 using tests::MadeTrial;
 using tests::palpationSession;
 

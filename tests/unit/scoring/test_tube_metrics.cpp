@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How steadily a tube was held, against closed forms on made traces.
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "traces.h"
 
 #include <QtTest>

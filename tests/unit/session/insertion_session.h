@@ -59,8 +59,8 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
     frames[0].header.events = core::event_bits::kTrialStarted;
     for (const std::size_t at : {std::size_t{100}, std::size_t{1200}, std::size_t{1600}})
         frames[at].header.events |= core::event_bits::kStageChanged;
-    frames[1300].header.events |= core::event_bits::kLandmarkSeen;
-    frames[1500].header.events |= core::event_bits::kLandmarkSeen;
+    frames[1300].header.events |= core::procedure_bits::kLandmarkSeen;
+    frames[1500].header.events |= core::procedure_bits::kLandmarkSeen;
     frames[2000].header.events |= lastEvent;
     session::MarkExtractor marks(4.0, 1);
     session::PlaybackTrack track;

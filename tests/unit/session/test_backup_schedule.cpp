@@ -25,6 +25,7 @@ private slots:
     void thePlanNamesTheFolder();
     void oneDiskIsNoticed();
     void theDaysBackupIsMadeOnce();
+    void aDeviceIsNoManifest();
 };
 
 void TestBackupSchedule::oneADay_data() {
@@ -105,6 +106,27 @@ void TestBackupSchedule::theDaysBackupIsMadeOnce() {
     copy.close();
     QCOMPARE(looksWhole(listed.front().folder, (*database)->file(), options).error().code,
              core::ErrorCode::doesNotHold);
+}
+
+/// Whoever looks through a folder for backups reads every manifest in it, /dev/zero among them.
+void TestBackupSchedule::aDeviceIsNoManifest() {
+    QTemporaryDir folder;
+    database::DatabaseOptions options;
+    options.passwordCost = database::PasswordCost::minimalForTests();
+    auto database =
+        database::Database::create(folder.filePath(QStringLiteral("site.db")).toStdString(), options);
+    QVERIFY(database);
+    const DailyWork made = backUpIfDue(**database, {}, nullptr);
+    QVERIFY2(made.made, made.made ? "" : made.made.error().message.c_str());
+    const std::string backup = made.made->made.folder;
+    const QString manifest = QString::fromStdString(backup + "/manifest.json");
+    QVERIFY(QFile::remove(manifest) && QFile::link(QStringLiteral("/dev/zero"), manifest));
+    QVERIFY(listBackups(defaultBackupFolder((*database)->file())).empty());
+    const auto whole = looksWhole(backup, (*database)->file(), options);
+    QVERIFY(!whole);
+    QCOMPARE(whole.error().code, core::ErrorCode::badInput);
+    const database::VerifyReport report = verifyBackup(backup, (*database)->file(), options);
+    QVERIFY(!report.ok());
 }
 
 QTEST_GUILESS_MAIN(TestBackupSchedule)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact_bits.h"
+#include "cues/procedure_stage.h"
 #include "frames.h"
 #include "session/event_extractor.h"
 
@@ -46,6 +47,7 @@ private slots:
     void overForceOfEachTool();
     void overForceWhilePaused();
     void tissueThatGaveWay();
+    void tissueThatGaveWayHasAPlace();
     void trials();
     void procedures();
     void states();
@@ -156,6 +158,33 @@ void TestEventExtractor::tissueThatGaveWay() {
     QCOMPARE(found, 1);
 }
 
+// Where the tip was, of the tool that broke it; to a micrometre, and in no language's decimals. A packet that
+// cannot be trusted says nothing about a place.
+void TestEventExtractor::tissueThatGaveWayHasAPlace() {
+    const tests::MillimetreCounts positions{};
+    auto frames = someFrames(12, 0, 2);
+    const auto yield = [&](std::size_t at, std::size_t tool) {
+        frames[at].tool[tool].counts = {};
+        frames[at].tool[tool].counts[0] = 12;
+        frames[at].tool[tool].counts[1] = -4;
+        frames[at].tool[tool].status |= core::contactStatus(core::contact_bits::kYielded);
+    };
+    yield(3, 0);
+    yield(5, 1);
+    yield(8, 0);
+    frames[8].tool[0].status |= core::sample_status::kRefused;
+    session::EventExtractor extractor(kLimit_N, kSeed, 2, &positions);
+    extractor.add(frames);
+    std::vector<std::string> details;
+    for (const database::EventRecord& event : extractor.events())
+        if (event.kind == "tissue_yielded")
+            details.push_back(event.detailJson);
+    QCOMPARE(details,
+             (std::vector<std::string>{"{\"trial\":0,\"force_mN\":0,\"position_m\":[0.012,-0.004,0]}",
+                                       "{\"trial\":0,\"force_mN\":0,\"position_m\":[0.112,-0.004,0]}",
+                                       "{\"trial\":0,\"force_mN\":0}"}));
+}
+
 void TestEventExtractor::trials() {
     auto frames = someFrames(20);
     frames[2].header.events = bits::kTrialStarted;
@@ -188,8 +217,9 @@ void TestEventExtractor::procedures() {
     auto frames = someFrames(20);
     frames[2].header.events = bits::kTrialStarted;
     frames[4].header.events = bits::kStageChanged;
-    frames[7].header.events = bits::kLandmarkSeen;
-    frames[9].header.events = bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
+    frames[7].header.events = core::procedure_bits::kLandmarkSeen;
+    frames[9].header.events =
+        core::procedure_bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
     frames[15].header.events = bits::kCompleted | bits::kStageChanged;
     const auto extractor = extracted(frames);
     QCOMPARE(named(extractor), (Named{{"trial_started", 2},

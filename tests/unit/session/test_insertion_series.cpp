@@ -162,7 +162,7 @@ void TestInsertionSeries::ticksCountNotTheDevicesClock() {
             scene.respond(source.next(0), in, out);
             samples += out.phase == core::TrialPhase::running;
         }
-        QVERIFY((out.events & core::event_bits::kLandmarkSeen) != 0);
+        QVERIFY((out.events & core::procedure_bits::kLandmarkSeen) != 0);
         scoring::TrialTrace trial = along(p, held(0.155, samples));
         for (double& t_s : trial.tools[0].t_s)
             t_s *= clock;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "core/fp_environment.h"
 #include "session/level_cues.h"
 #include "session/run_task.h"
@@ -133,7 +134,13 @@ void TestLiveLink::aSampleHasAllThatTheStateSays() {
         shown.tool[0].q_WT[i] = 0.125 * static_cast<double>(i + 1);
     shown.tool[1].p_WProxy_m = {4.0, 5.0, 6.0};
     shown.tool[1].displayPose[0] = 0.875;
+    shown.tool[1].contact = core::contact_bits::kThrough | core::contact_bits::kBeyondChecked;
+    QVERIFY(!session::liveSampleOf(shown, 1'000'000'000).yielded);
+    shown.tool[2].contact = core::contact_bits::kYielded; // of no tool
+    QVERIFY(!session::liveSampleOf(shown, 1'000'000'000).yielded);
+    shown.tool[1].contact = core::contact_bits::kYielded | core::contact_bits::kThrough;
     const session::LiveSample sample = session::liveSampleOf(shown, 1'000'000'000);
+    QVERIFY(sample.yielded);             // whichever of the tools it was
     const double norm = std::sqrt(14.0); // of (1, 2, 3)
     QCOMPARE(sample.tick, std::uint64_t{7});
     QCOMPARE(sample.t_s, 0.5);

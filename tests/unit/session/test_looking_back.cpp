@@ -3,9 +3,12 @@
 #include "app/exercises/palpation/session/palpation_marks.h"
 #include "core/contact_bits.h"
 #include "core/random.h"
+#include "cues/laparoscopy_cues.h"
 #include "frames.h"
 #include "scoring/force_facts.h"
+#include "session/exercise_kind.h"
 #include "session/playback_mark.h"
+#include "session/session_setup.h"
 #include "session/worst_moment.h"
 #include "session/yield_cause.h"
 
@@ -178,6 +181,13 @@ private slots:
             worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates);
         QCOMPARE(dropped->reason, std::string("drops"));
         QCOMPARE(dropped->t_s, 4.0);
+        // What is spread over a trial gives way to any other gate, though its tube tore; alone it leads
+        // there.
+        PlaybackTrack torn = quietEnd();
+        torn.exercise = "elastic_tube";
+        torn.marks = {markAt(3.0, PlaybackMarkKind::failed), markAt(4.0, PlaybackMarkKind::slipped)};
+        QCOMPARE(worstMoment(torn, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates)->t_s, 4.0);
+        QCOMPARE(worstMoment(torn, failed({{"procedure_completed", 0.0}}), gates)->t_s, 3.0);
         const auto none = worstMoment(track, {}, gates);
         QCOMPARE(none->t_s, 2.0);
         QCOMPARE(none->value, 3.0);
@@ -239,6 +249,13 @@ private slots:
         QCOMPARE(byTorque.detail, std::string(kByTorque));
         QCOMPARE(byTorque.value, std::optional(0.213));
         PlaybackTrack track = quietEnd();
+        QVERIFY(!byTorque.p_W); // nobody said where the tools were
+        const tests::MillimetreCounts positions{};
+        MarkExtractor placed(4.0, 1, false, law, &positions);
+        for (const core::HapticFrame& frame : frames)
+            placed.add(frame, 1e-3 * static_cast<double>(frame.header.index));
+        const PlaybackMark there = ofKind(placed.take(0.011), PlaybackMarkKind::yielded).at(0);
+        QVERIFY(there.p_W && (*there.p_W - core::Vec3(0.005, 0.0, 0.0)).norm() < 1e-12);
         track.marks = {byTorque};
         const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
         const auto worst = worstMoment(track, failed({{"critical_errors", 1.0}}), gates);
@@ -276,6 +293,50 @@ private slots:
         QCOMPARE(worst->t_s, 3.5);
     }
 
+    /// A change of stage is called after the step that began with it, in the exercises that record steps.
+    void theStepsOfATaskNameItsStages() {
+        for (const char* id : {"elastic_tube", "object_handling"}) {
+            PlaybackTrack track = quietEnd();
+            PlaybackQuantity step{"step", "1", {}};
+            for (std::size_t i = 0; i < track.moments.size(); ++i) {
+                track.moments[i].tick = 10 * i;
+                step.values.push_back(static_cast<double>(i < 500 ? core::LaparoscopyStep::grasp
+                                                                  : core::LaparoscopyStep::hold));
+            }
+            track.marks = {markAt(4.995, PlaybackMarkKind::stageChanged),
+                           markAt(6.0, PlaybackMarkKind::grasped)};
+            track.marks[0].tick = 4995; // between two samples: the next one has the new step
+            track.marks[1].tick = 6000;
+            PlaybackTrack unrecorded = track;
+            track.quantities.push_back(step);
+            const ExerciseKind& kind = **exerciseKind(id);
+            QVERIFY(kind.addMarks({}, nullptr, track) && kind.addMarks({}, nullptr, unrecorded));
+            QCOMPARE(track.marks[0].detail, std::string("hold"));
+            QVERIFY(track.marks[1].detail.empty() && unrecorded.marks[0].detail.empty());
+        }
+    }
+
+    /// Only of the exercise whose metric counts it, and only where no tissue gave way.
+    void aCriticalTraumaIsTheMomentOfAnInsertion() {
+        PlaybackTrack track = quietEnd();
+        track.marks = {markAt(2.5, PlaybackMarkKind::trauma, 9.0),
+                       markAt(3.5, PlaybackMarkKind::trauma, 5.0)};
+        track.marks[1].critical = true; // the other one was harder, but slipped off at once
+        const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
+        const scoring::ScoreCard card = failed({{"critical_errors", 1.0}});
+        track.exercise = "urethra_insertion";
+        const auto worst = worstMoment(track, card, gates);
+        QVERIFY(worst && worst->gateFailed);
+        QCOMPARE(worst->t_s, 3.5);
+        QCOMPARE(worst->unit, std::string("N"));
+        track.exercise = "object_handling";
+        const auto other = worstMoment(track, card, gates);
+        QVERIFY(!other || other->t_s != 3.5);
+        track.exercise = "urethra_insertion";
+        track.marks.push_back(markAt(3.8, PlaybackMarkKind::yielded, 8.0));
+        QCOMPARE(worstMoment(track, card, gates)->t_s, 3.8);
+    }
+
     void theLargestSqueezeIsInTheRunningTimeOfATrial() {
         PlaybackTrack track = quietEnd();
         track.exercise = "object_handling";
@@ -294,7 +355,7 @@ private slots:
         PlaybackTrack track = quietEnd();
         PalpationOutcome record{0, true, false, {}};
         record.answer.truth.lumps.resize(2);
-        const auto report = [](double t_s, core::ReportField field, int finding) {
+        const auto report = [](double t_s, simulation::ReportField field, int finding) {
             scoring::TimedReport made;
             made.t_s = t_s;
             made.field = field;
@@ -302,8 +363,8 @@ private slots:
             return made;
         };
         record.answer.reports = {
-            report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
-            report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
+            report(1.0, simulation::ReportField::found, 0), report(2.0, simulation::ReportField::found, 1),
+            report(3.0, simulation::ReportField::remove, 1), report(4.0, simulation::ReportField::found, 1)};
         scoring::FindingMatch hit;
         hit.finding = 0;
         hit.lump = 1;

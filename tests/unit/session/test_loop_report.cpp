@@ -64,15 +64,25 @@ void TestLoopReport::punctualityIsTheStatistics() {
 }
 
 void TestLoopReport::everyFieldIsItsOwn() {
-    session::LoopReport report{
-        11, 22, 33, 0.5, 0.25, 0.125, true, true, "round robin, \"90\"", 1.0 / 3.0, session::LatenessBins{}};
+    session::LoopReport report{11,
+                               22,
+                               33,
+                               0.5,
+                               0.25,
+                               0.125,
+                               true,
+                               true,
+                               "round robin, \"90\"",
+                               1.0 / 3.0,
+                               session::LatenessBins{},
+                               2.0 / 3.0};
     for (std::size_t i = 0; i < report.lateness->counts.size(); ++i)
         report.lateness->counts[i] = 100 + i;
     const auto back = session::loopReportFrom(session::loopJson(report));
     QVERIFY(back.has_value());
     QVERIFY(back->ticks == 11 && back->late == 22 && back->skipped == 33);
     QVERIFY(back->p50_us == 0.5 && back->p99_us == 0.25 && back->max_us == 0.125 &&
-            back->passivity_J == 1.0 / 3.0);
+            back->passivity_J == 1.0 / 3.0 && back->passivityWithheld_J == 2.0 / 3.0);
     QVERIFY(back->realtime && back->priorityGranted && back->priorityDetail == report.priorityDetail);
     QVERIFY(back->lateness == report.lateness);
     report.priorityGranted = false;
@@ -88,7 +98,8 @@ void TestLoopReport::absentStaysAbsent() {
         QVERIFY(back.has_value());
         QVERIFY(back->ticks == 0 && back->late == 0 && back->skipped == 0 && !back->realtime &&
                 !back->priorityGranted && back->priorityDetail.empty());
-        QVERIFY(!back->p50_us && !back->p99_us && !back->max_us && !back->passivity_J && !back->lateness);
+        QVERIFY(!back->p50_us && !back->p99_us && !back->max_us && !back->passivity_J &&
+                !back->passivityWithheld_J && !back->lateness);
     }
 }
 

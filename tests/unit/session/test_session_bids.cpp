@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recorded session as a BIDS dataset: as many samples as ticks, trials from their first tick to their last.
+#include "core/contact_bits.h"
 #include "session/bids_motion.h"
 #include "support/made_session.h"
 
@@ -44,6 +45,7 @@ private slots:
     void lengthIsThatOfItsFrames();
     void trialsLastToTheirLastTick();
     void eventsAtASingleTick();
+    void tissueThatGaveWayHasAPlace();
 
 private:
     tests::SessionFixture m_fixture;
@@ -75,6 +77,7 @@ void TestSessionBids::trialsLastToTheirLastTick() {
     const QString folder = QString::fromStdString(m_fixture.folder()) + "/whole";
     const auto done = session::exportSessionBids(*stored.session, folder.toStdString());
     QVERIFY2(done, done ? "" : done.error().message.c_str());
+    QCOMPARE(stored.session->decodings(), 1); // samples and trials come from one reading
     QCOMPARE(static_cast<std::size_t>(linesOf(folder, "_motion.tsv").size()), m_made.frames.size());
     const auto spans = trialsOf(m_made.frames);
     QVERIFY(spans.size() >= 2);
@@ -111,6 +114,39 @@ void TestSessionBids::eventsAtASingleTick() {
         QVERIFY2(std::abs(at(i + 1, 0) - expected[i][0]) < 1e-9 &&
                      std::abs(at(i + 1, 1) - expected[i][1]) < 1e-9,
                  lines[i + 1].constData());
+}
+
+/// An event of its own, with the tip's place; the sidecar says what its columns mean. Without such an event
+/// there are no such columns (trialsLastToTheirLastTick).
+void TestSessionBids::tissueThatGaveWayHasAPlace() {
+    tests::MadeSession made = m_made;
+    constexpr std::size_t kAt = 700;
+    made.frames[kAt].tool[0].status |= core::contactStatus(core::contact_bits::kYielded);
+    const auto id = tests::store(*m_fixture.database, m_actor, made);
+    const tests::OpenStored stored(*m_fixture.database, id);
+    const QString folder = QString::fromStdString(m_fixture.folder()) + "/yielded";
+    const auto done = session::exportSessionBids(*stored.session, folder.toStdString());
+    QVERIFY2(done, done ? "" : done.error().message.c_str());
+    const QList<QByteArray> lines = linesOf(folder, "_events.tsv");
+    QCOMPARE(lines.front(),
+             QByteArray("onset\tduration\ttrial_type\tordinal\tposition_x\tposition_y\tposition_z"));
+    const core::Vec3 place = stored.session->positions().p_WT_m(0, made.frames[kAt].tool[0]);
+    int found = 0;
+    for (const QByteArray& line : lines.mid(1)) {
+        const QList<QByteArray> cells = line.split('\t');
+        QCOMPARE(cells.size(), 7);
+        if (cells[2] != session::kTissueYielded) {
+            QCOMPARE(cells[4], QByteArray("n/a"));
+            continue;
+        }
+        ++found;
+        QVERIFY(std::abs(cells[0].toDouble() - 1e-3 * double(made.frames[kAt].header.index)) < 1e-9);
+        for (int axis = 0; axis < 3; ++axis)
+            QVERIFY(std::abs(cells[4 + axis].toDouble() - place[axis]) < 1e-12);
+    }
+    QCOMPARE(found, 1);
+    const QByteArray sidecar = linesOf(folder, "_events.json").join('\n');
+    QVERIFY(sidecar.contains("position_x") && sidecar.contains(session::kTissueYielded));
 }
 
 QTEST_GUILESS_MAIN(TestSessionBids)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"

@@ -245,6 +245,33 @@ private slots:
         QVERIFY(!session::scriptedStation(AnyKind("gimbal_hprd"), {}, "nobody", 5));
     }
 
+    /// The same operator on another arm: a light hand gives way further than a firm one.
+    void anotherHandMayHoldTheMechanism() {
+        const auto pushed_m = [](const mechanisms::HandParameters* hand) {
+            auto station = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5,
+                                                    mechanisms::PolarMap::exact, {}, {}, hand);
+            devices::IDevice& device = *station->tools.at(0).device;
+            if (!device.open())
+                return 0.0;
+            realtime::TickSource source;
+            Vec3 first = Vec3::Zero(), last = Vec3::Zero();
+            for (int n = 0; n < 150; ++n) {
+                const auto now = source.next(static_cast<std::int64_t>(n) * 1'000'000);
+                last = device.kinematics().pose(device.read(now)).p_WT;
+                first = n == 0 ? last : first;
+                devices::ForceCommand command;
+                command.wrench_D.force = Vec3(1.0, 0.0, 0.0);
+                command.enabled = true;
+                device.command(now, command);
+            }
+            return (last - first).norm();
+        };
+        const mechanisms::HandParameters light = mechanisms::HandParameters::light(),
+                                         firm = mechanisms::HandParameters::firm();
+        const double own_m = pushed_m(nullptr), light_m = pushed_m(&light), firm_m = pushed_m(&firm);
+        QVERIFY(firm_m > 0.0 && own_m > 1.2 * firm_m && light_m > 1.2 * own_m);
+    }
+
     /// Row by row the pose that was recorded, orientation included; without it an endoscope is refused, a
     /// point is not.
     void aTraceBringsItsOrientation() {

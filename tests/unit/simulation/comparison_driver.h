@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/comparison/simulation/comparison_scene.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 namespace chiron::simulation::testing {
@@ -90,6 +91,8 @@ struct ComparisonDriver {
         last = tool().p_WT;
         ++ticksDone;
         events |= out.events;
+        if (witness)
+            witness(out);
         in.present = in.answer = in.mark = false;
         return out;
     }
@@ -152,8 +155,9 @@ struct ComparisonDriver {
     Vec3 last = Vec3::Zero();
     std::uint64_t ticksDone = 0;
     std::uint32_t events = 0;
-    double slowness = 1.0; ///< every way takes so many times as long
-    double work_J = 0.0;   ///< put in by the hand
+    std::function<void(const SceneOutput&)> witness; ///< sees every answer
+    double slowness = 1.0;                           ///< every way takes so many times as long
+    double work_J = 0.0;                             ///< put in by the hand
     double largestStep_N = 0.0;
     double largestMade_J = 0.0; ///< in a tick: stored and given beyond what was put in
 };

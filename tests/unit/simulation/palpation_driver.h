@@ -23,7 +23,7 @@ inline PalpationParameters flatPad() {
 
 /// One report, as the recorded quantities tell it.
 struct ToldReport {
-    core::ReportField field;
+    ReportField field;
     int finding;
     unsigned value;
     Vec3 p_W;
@@ -59,8 +59,8 @@ struct PalpationDriver {
         in.started = in.forceReady = true;
         ticks(2);
     }
-    void command(core::ReportField field, unsigned value) {
-        in.report[static_cast<std::size_t>(in.reports++)] = core::reportWord(field, value);
+    void command(ReportField field, unsigned value) {
+        in.report[static_cast<std::size_t>(in.reports++)] = reportWord(field, value);
     }
     /// Until all that was reported has been taken.
     void settle() { ticks(static_cast<int>(ReportQueue::kRoom * PalpationScene::kReportTicks)); }
@@ -86,7 +86,7 @@ private:
     void keep() {
         namespace q = palpation_quantity;
         const auto& v = out.quantities;
-        told.push_back({static_cast<core::ReportField>(std::lround(v[q::kReportField])),
+        told.push_back({static_cast<ReportField>(std::lround(v[q::kReportField])),
                         static_cast<int>(std::lround(v[q::kReportFinding])),
                         static_cast<unsigned>(std::lround(v[q::kReportValue])),
                         {v[q::kFindingPlace], v[q::kFindingPlace + 1], v[q::kFindingPlace + 2]}});

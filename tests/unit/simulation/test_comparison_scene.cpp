@@ -2,8 +2,8 @@
 #include "comparison_driver.h"
 
 #include "core/fp_environment.h"
-#include "core/laparoscopy_cues.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <QtTest>
 
@@ -40,6 +40,8 @@ private slots:
     void controlsAreFaultsOfTheRendering();
     void trialsGoOnByCommand();
     void limitsOfATrial();
+    void theFreePresentationHasNoLimit();
+    void whoHasLetGoMustLeaveFirst();
     void aGrazeDoesNotCountAsTouched();
     void noForceIsNotTouched();
     void allThatIsDrawnOfARingTakesHold();
@@ -347,6 +349,58 @@ void TestComparisonScene::limitsOfATrial() {
             d.out.phase == core::TrialPhase::running);
     d.ticks(300);
     QVERIFY((d.events & bits::kTimedOut) != 0 && d.out.phase == core::TrialPhase::between);
+}
+
+/// The controls are tried for as long as the runner says, and no button ends that; the next presentation has
+/// its limits.
+void TestComparisonScene::theFreePresentationHasNoLimit() {
+    ComparisonParameters p = compared(ComparedAttribute::viscosity);
+    p.exploreLimit_s = 0.5;
+    p.answerLimit_s = 0.3;
+    p.buttonAnswers = p.freeFirst = true;
+    ComparisonDriver d(p);
+    d.startRunning();
+    d.tool().p_WT = d.at(1, -0.002);
+    d.ticks(1500);
+    d.in.mark = true;
+    d.ticks(3);
+    QVERIFY(d.force().norm() > 0.5 && d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown);
+    QCOMPARE(d.out.phase, core::TrialPhase::running);
+    QCOMPARE(d.events & (bits::kTimedOut | bits::kCompleted), 0u);
+    d.answer(kAnswerSpoiled);
+    d.ticks(2);
+    QCOMPARE(d.out.phase, core::TrialPhase::between);
+    d.startRunning();
+    d.tool().p_WT = d.at(1, -0.002);
+    d.ticks(510);
+    QCOMPARE(d.force().norm(), 0.0);
+    d.ticks(300);
+    QVERIFY((d.events & bits::kTimedOut) != 0);
+}
+
+/// Whoever lets go of a tube below its ring and raises the tip holds nothing; from above they take hold
+/// again. In sessions of earlier versions the raised tip took hold.
+void TestComparisonScene::whoHasLetGoMustLeaveFirst() {
+    for (const bool leaves : {false, true}) {
+        ComparisonParameters p = lossless(ComparedAttribute::stiffness);
+        p.adjusts = true;
+        p.leaveBeforeAgain = leaves;
+        ComparisonDriver d(p);
+        d.startRunning();
+        d.moveTo(d.at(1, d.hook_m() - 0.003), 0.4);
+        QCOMPARE(d.quantity(q::kPlace), 2.0);
+        d.moveTo(d.at(1, d.hook_m() - 0.016), 0.3);
+        QCOMPARE(d.quantity(q::kPlace), 0.0);
+        d.present(1, 0); // another level is no other tube
+        d.moveTo(d.at(1, d.hook_m() + 0.010), 0.3);
+        QCOMPARE(d.quantity(q::kPlace), leaves ? 0.0 : 2.0);
+        QCOMPARE(d.force().norm() > 0.5, !leaves);
+        d.moveTo(d.at(1, d.hook_m() - 0.003), 0.3);
+        QCOMPARE(d.quantity(q::kPlace), 2.0);
+        d.moveTo(d.at(1, d.hook_m() + 0.010), 0.3);
+        QVERIFY(d.force().norm() > 0.5);
+        QVERIFY(d.largestStep_N < 0.1); // taken hold of and let go without a step
+    }
 }
 
 /// A new level comes to a place while nobody touches it, to the touched one as soon as it is left.

@@ -35,6 +35,8 @@ private slots:
     void transferFromHandToHand();
     void letGoIsDropped();
     void tearing();
+    void theCheckedRangeEndsAtTheTear();
+    void theCheckedRangeOfAPull();
     void overStretchIsCountedOnce();
     void timeRunsOut();
 };
@@ -307,23 +309,58 @@ void TestElasticTubeTasks::tearing() {
     d.moveTo(0, {trial.base_m.x(), trial.base_m.y(), 1.88 * d.p.restLength_m});
     QVERIFY(d.force(0).norm() > 2.0);
     QVERIFY(!(d.events & bits::kFailed));
+    QCOMPARE(int(d.out.contact[0]), 0);
     d.tool(0).p_WT.z() = 1.901 * d.p.restLength_m;
     d.tick();
     QVERIFY(d.out.events & bits::kFailed);
     QVERIFY(d.events & bits::kDamaged);
     QVERIFY(d.out.cues.exercise.of<core::LaparoscopyCues>().torn);
-    QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kYielded | core::contact_bits::kThrough));
+    QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kYielded | core::contact_bits::kThrough |
+                                        core::contact_bits::kBeyondChecked));
     const double torn_N = d.force(0).norm();
     QVERIFY(torn_N > 2.0);
     QVERIFY(d.quantity(TubeQuantity::stretch_m) > 0.9 * d.p.restLength_m); // what tore it is recorded
     d.tick();
     QCOMPARE(d.out.phase, core::TrialPhase::between);
-    QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kThrough));
+    QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kThrough | core::contact_bits::kBeyondChecked));
     d.largestStep_N = 0.0;
     d.ticks(18); // 20 ms by a smoothstep: 1.5 times as steep in its middle
     QVERIFY(d.largestStep_N < 1.6 * torn_N / 20.0);
     QVERIFY(d.force(0) == Vec3::Zero());
     QCOMPARE(d.out.storedEnergy_J, 0.0);
+}
+
+// During a pause nothing tears. The force is the law's up to the tear stretch; beyond it stays as it is, and
+// is flagged, each way.
+void TestElasticTubeTasks::theCheckedRangeEndsAtTheTear() {
+    TubeDriver d(tubeExercise(TubeTask::hold));
+    d.startRunning();
+    d.grasp(0, 1);
+    d.in.paused = true;
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    for (const double ratio : {1.2, 1.6, 1.899, 1.95, 2.6, 1.899, 1.0}) {
+        d.moveTo(0, {trial.base_m.x(), trial.base_m.y(), ratio * d.p.restLength_m});
+        const double stretch_m = (std::min(ratio, d.p.tearRatio) - 1.0) * d.p.restLength_m;
+        QVERIFY(std::abs(d.force(0).norm() - trial.stiffness_N_per_m * stretch_m) < 1e-9);
+        QCOMPARE(int(d.out.contact[0]), ratio > d.p.tearRatio ? int(core::contact_bits::kBeyondChecked) : 0);
+    }
+    QVERIFY(!(d.events & bits::kFailed));
+}
+
+// A pull that the tube would not bear is cut off, and flagged; the other tools are not concerned.
+void TestElasticTubeTasks::theCheckedRangeOfAPull() {
+    ElasticTubeParameters p = tubeExercise(TubeTask::hold);
+    p.yield.force_N = 1.0;
+    TubeDriver d(p);
+    d.startRunning();
+    d.grasp(0, 1);
+    d.in.paused = true;
+    d.moveTo(0, placeOfTension(d, 0.99));
+    QCOMPARE(int(d.out.contact[0]), 0);
+    d.moveTo(0, placeOfTension(d, 1.1));
+    QVERIFY(std::abs(d.force(0).norm() - 1.0) < 1e-9);
+    QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kBeyondChecked));
+    QCOMPARE(int(d.out.contact[1]), 0);
 }
 
 void TestElasticTubeTasks::overStretchIsCountedOnce() {

@@ -75,14 +75,15 @@ QStringList told(const Case& c) {
         in.paused = tick % 5000 >= 4600 && tick % 5000 < 4700;
         in.mark = (tick == 4100 || tick == 8300) && !c.along;
         in.reports = tick % 2500 >= 1200 && tick % 2500 < 1206 ? 1 : 0;
-        using R = core::ReportField;
-        const std::uint16_t words[] = {core::reportWord(R::found, 0),    core::reportWord(R::size, 70),
-                                       core::reportWord(R::hardness, 4), core::reportWord(R::confidence, 3),
-                                       core::reportWord(R::select, 0),   core::reportWord(R::remove, 1)};
+        using R = simulation::ReportField;
+        const std::uint16_t words[] = {
+            simulation::reportWord(R::found, 0),    simulation::reportWord(R::size, 70),
+            simulation::reportWord(R::hardness, 4), simulation::reportWord(R::confidence, 3),
+            simulation::reportWord(R::select, 0),   simulation::reportWord(R::remove, 1)};
         in.report[0] = words[static_cast<std::size_t>(tick % 2500 - 1200) % 6];
         if (tick == 9000) {
             in.reports = 1;
-            in.report[0] = core::reportWord(R::done, 0);
+            in.report[0] = simulation::reportWord(R::done, 0);
         }
         for (int t = 0; t < c.tools; ++t) {
             const auto i = static_cast<std::size_t>(t);
@@ -135,7 +136,7 @@ QStringList told(const Case& c) {
                 tool.jaw_rad += std::clamp(wanted - tool.jaw_rad, -0.004, 0.004);
                 tool.buttons = tick % 6000 >= 5200 && tick % 6000 < 5220 ? core::kButtonMark : 0u;
                 if (t == 0 && tick % 4000 >= 3100 && tick % 4000 < 3110)
-                    tool.buttons |= core::reportButtons(core::reportWord(R::hardness, 2));
+                    tool.buttons |= core::reportButtons(simulation::reportWord(R::hardness, 2));
             }
             tool.v_WT = tick == 0 ? Vec3(Vec3::Zero()) : Vec3((tool.p_WT - before) / 0.001);
             const Eigen::AngleAxisd turn(tool.q_WT * turnedBefore.conjugate());

@@ -4,9 +4,9 @@
 // changes, to the bit.
 #include "core/random.h"
 #include "core/units.h"
-#include "modules/exercises/comparison/simulation/compared_object.h"
 #include "modules/exercises/elastic_tube/simulation/tube_chain.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
+#include "simulation/comparison/compared_object.h"
 #include "simulation/objects/object_contact.h"
 #include "tissue_laws.h"
 #include "urethra_states.h"

@@ -363,11 +363,14 @@ void TestLetsGo::throughTheRimOfAnOrgan() {
         }
 }
 
-// A session from before there was such a law: the plane holds whatever presses it.
+// A session from before there was such a law: the plane holds whatever presses it, and how far that is beyond
+// what was checked is flagged.
 void TestLetsGo::neverYieldsWhereTheContentDoesNotSaySo() {
     Led led(std::make_unique<SphereApexScene>(dome(ApexSurface::exact, 0.0), 7), Vec3(0.055, 0.0, 0.010));
     led.to(Vec3(0.055, 0.0, -0.080), 0.3);
     QVERIFY(led.force().norm() > 39.0);
+    QCOMPARE(int(led.out.contact[0]), int(contact::kBeyondChecked));
+    led.to(Vec3(0.055, 0.0, -0.0119), 0.3); // 0.6 of the radius of 20 mm
     QCOMPARE(int(led.out.contact[0]), 0);
 }
 

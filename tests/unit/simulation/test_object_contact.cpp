@@ -95,11 +95,13 @@ void TestObjectContact::pressIsTheElasticLaw() {
     a.stiffening_per_m = 60.0;
     const ObjectContact contact(a);
     ObjectContactState state;
-    const auto out = contact.respond(onPlane({0.01, 0.02, -0.004}), core::kTickSeconds, state);
-    QVERIFY((out.force - Vec3(0, 0, elasticOf(a).tension(0.004))).norm() < 1e-12);
-    QCOMPARE(out.energy_J, elasticOf(a).energy(0.004));
-    QCOMPARE(out.depth_m, 0.004);
-    QVERIFY(out.inContact && out.normalForce_N > 0.0);
+    for (const double depth_m : {0.004, kCheckedContactDepth_m}) {
+        const auto out = contact.respond(onPlane({0.01, 0.02, -depth_m}), core::kTickSeconds, state);
+        QVERIFY((out.force - Vec3(0, 0, elasticOf(a).tension(depth_m))).norm() < 1e-12);
+        QCOMPARE(out.energy_J, elasticOf(a).energy(depth_m));
+        QCOMPARE(out.depth_m, depth_m);
+        QVERIFY(out.inContact && out.normalForce_N > 0.0);
+    }
     const auto away = contact.respond(onPlane({0.01, 0.02, 0.004}), core::kTickSeconds, state);
     QVERIFY(!away.inContact && away.force.norm() == 0.0 && away.energy_J == 0.0 &&
             away.stiffness_N_per_m == 0.0);
@@ -116,8 +118,8 @@ void TestObjectContact::forceIsMinusTheGradient() {
     for (int n = 0; n < 4000; ++n) {
         const bool sphere = n % 2 == 1;
         Vec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        p = sphere ? Vec3(p.normalized() * (kRadius - random.uniform(0.0005, 0.005)))
-                   : Vec3(0.03 * p.x(), 0.03 * p.y(), -random.uniform(0.0005, 0.005));
+        p = sphere ? Vec3(p.normalized() * (kRadius - random.uniform(0.0005, kCheckedContactDepth_m)))
+                   : Vec3(0.03 * p.x(), 0.03 * p.y(), -random.uniform(0.0005, kCheckedContactDepth_m));
         const auto place = [&](const Vec3& at) { return sphere ? onSphere(at) : onPlane(at); };
         Vec3 gradient;
         for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "core/fp_environment.h"
 #include "core/units.h"
 #include "handling_driver.h"
@@ -37,6 +38,10 @@ private slots:
     void tipPushesItAlong();
     void closedJawsCannotTakeHold();
     void heldAgainstAnotherItIsStiffer();
+    void theCheckedRangeOfTheBed_data();
+    void theCheckedRangeOfTheBed();
+    void theCheckedRangeOfABody();
+    void theCheckedRangeOfAGrip();
 };
 
 void TestObjectHandlingForces::liesAtRestWhereTheBedCarriesIt() {
@@ -211,6 +216,96 @@ void TestObjectHandlingForces::heldAgainstAnotherItIsStiffer() {
         QVERIFY(d.force().z() > bedAlone + 0.1);
         QVERIFY(isNear(d.out.contactStiffness_N_per_m, inAir + 0.5 * p.object.stiffness_N_per_m, 1e-9));
     }
+}
+
+namespace {
+
+bool isBeyondChecked(const HandlingDriver& d) {
+    return (d.out.contact[0] & core::contact_bits::kBeyondChecked) != 0;
+}
+
+} // namespace
+
+void TestObjectHandlingForces::theCheckedRangeOfTheBed_data() {
+    QTest::addColumn<bool>("organ");
+    QTest::newRow("plane") << false;
+    QTest::newRow("organ") << true;
+}
+
+/// Flagged where the tip is deeper than what was checked, in and out again; on the plane the force is the
+/// law's up to there.
+void TestObjectHandlingForces::theCheckedRangeOfTheBed() {
+    QFETCH(bool, organ);
+    ObjectHandlingParameters p = oneOvary();
+    p.bed.friction = 0.0;
+    if (organ)
+        p = onOrgan(p);
+    HandlingDriver d(p);
+    d.startRunning();
+    d.tool().jaw_rad = 0.0;
+    // Beside the ovary, on top of the organ
+    const Vec3 off = d.body().p_W.x() > 0.0 ? Vec3(-0.020, 0.0, 0.0) : Vec3(0.020, 0.0, 0.0);
+    d.moveTo(off + Vec3(0.0, 0.0, 0.030), 0.4);
+    d.moveTo(off + Vec3(0.0, 0.0, organ ? -0.004 : -0.0059), 2.0);
+    if (!organ) {
+        d.ticks(5);
+        QVERIFY(isNear(d.force().z(), elasticOf(p.bed).tension(0.0059), 1e-9));
+        QVERIFY(!isBeyondChecked(d));
+        d.moveTo(off + Vec3(0.0, 0.0, -0.0061), 0.2);
+        QVERIFY(isBeyondChecked(d));
+        QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kBeyondChecked)); // and nothing gave way
+        d.moveTo(off + Vec3(0.0, 0.0, -0.0059), 0.2);
+        QVERIFY(!isBeyondChecked(d));
+        return;
+    }
+    QVERIFY(!isBeyondChecked(d));
+    d.moveTo(off + Vec3(0.0, 0.0, -0.016), 0.05); // faster than the slow model answers
+    QVERIFY(isBeyondChecked(d));
+    d.moveTo(off + Vec3(0.0, 0.0, 0.030), 0.5);
+    QCOMPARE(int(d.out.contact[0]), 0);
+}
+
+/// By the depth of the tip in the body as it lay in that tick.
+void TestObjectHandlingForces::theCheckedRangeOfABody() {
+    HandlingDriver d(oneOvary());
+    d.startRunning();
+    d.tool().jaw_rad = 0.0;
+    const Vec3 top = d.body().p_W + Vec3(0.0, 0.0, d.parameters.radius_m);
+    d.moveTo(top + Vec3(0.0, 0.0, 0.010), 0.5);
+    int within = 0, beyond = 0;
+    for (int tick = 0; tick < 1000; ++tick) { // down 20 mm; the ovary gives way into the bed
+        d.tool().p_WT.z() -= 2e-5;
+        const Vec3 was = d.body().p_W;
+        d.tick();
+        const double depth_m = d.parameters.radius_m - (d.tool().p_WT - was).norm();
+        if (std::abs(depth_m - kCheckedContactDepth_m) < 1e-9 || d.tool().p_WT.z() < 0.0)
+            continue;
+        QCOMPARE(isBeyondChecked(d), depth_m > kCheckedContactDepth_m);
+        (depth_m > kCheckedContactDepth_m ? beyond : within) += depth_m > 0.0 ? 1 : 0;
+    }
+    QVERIFY2(within > 100 && beyond > 10, qPrintable(QStringLiteral("%1 %2").arg(within).arg(beyond)));
+}
+
+/// What the jaws press, and what the held ovary presses, is felt through the grip.
+void TestObjectHandlingForces::theCheckedRangeOfAGrip() {
+    ObjectHandlingParameters p = oneOvary();
+    p.object.friction = 2.0; // so that it does not slide out when it is pressed down
+    p.squeezeLimit_N = 10.0;
+    HandlingDriver d(p);
+    d.startRunning();
+    d.graspObject(0, 0.0055);
+    QCOMPARE(d.q(q::kHeld), 1.0);
+    QVERIFY(!isBeyondChecked(d));
+    d.jawTo(d.openingFor(0.0065), 0.2);
+    QVERIFY(isBeyondChecked(d)); // by each jaw
+    d.jawTo(d.openingFor(0.0055), 0.2);
+    QVERIFY(!isBeyondChecked(d));
+    d.moveBy(Vec3(0.0, 0.0, -0.0065), 0.5);
+    QCOMPARE(d.q(q::kHeld), 1.0);
+    QVERIFY(d.body().bedDepth_m() > kCheckedContactDepth_m); // or the test has nothing to show
+    QVERIFY(isBeyondChecked(d));
+    d.moveBy(Vec3(0.0, 0.0, 0.030), 0.5);
+    QVERIFY(!isBeyondChecked(d));
 }
 
 QTEST_APPLESS_MAIN(TestObjectHandlingForces)

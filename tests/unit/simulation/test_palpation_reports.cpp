@@ -8,8 +8,8 @@
 using namespace chiron;
 using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
-using core::ReportField;
 using core::TrialPhase;
+using simulation::ReportField;
 namespace bits = core::event_bits;
 namespace q = palpation_quantity;
 
@@ -76,9 +76,9 @@ void TestPalpationReports::reportsFindOneAnother() {
     d.tick();
     d.at(0, -0.01, 0.0, -0.001);
     d.press(0, core::kButtonMark);
-    d.press(0, core::reportButtons(core::reportWord(ReportField::confidence, 2)));
-    d.press(0, core::reportButtons(core::reportWord(ReportField::select, 0)));
-    d.press(0, core::reportButtons(core::reportWord(ReportField::confidence, 5)));
+    d.press(0, core::reportButtons(simulation::reportWord(ReportField::confidence, 2)));
+    d.press(0, core::reportButtons(simulation::reportWord(ReportField::select, 0)));
+    d.press(0, core::reportButtons(simulation::reportWord(ReportField::confidence, 5)));
     d.settle();
     QCOMPARE(d.told.size(), std::size_t{7});
     const auto& found = d.scene.findings().list();
@@ -114,8 +114,8 @@ void TestPalpationReports::whatMeansNothingIsNotTold() {
     PalpationDriver d(flatPad());
     d.startRunning();
     for (const std::uint16_t word :
-         {core::reportWord(ReportField::size, 50), core::reportWord(ReportField::remove, 3),
-          core::reportWord(ReportField::select, 0), core::reportWord(ReportField::found, 0),
+         {simulation::reportWord(ReportField::size, 50), simulation::reportWord(ReportField::remove, 3),
+          simulation::reportWord(ReportField::select, 0), simulation::reportWord(ReportField::found, 0),
           std::uint16_t{0xffff}, std::uint16_t{0x7000}}) {
         d.in.report[0] = word;
         d.in.reports = 1;

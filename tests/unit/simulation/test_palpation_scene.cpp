@@ -8,8 +8,8 @@
 using namespace chiron;
 using namespace chiron::simulation;
 using namespace chiron::simulation::testing;
-using core::ReportField;
 using core::TrialPhase;
+using simulation::ReportField;
 namespace bits = core::event_bits;
 namespace q = palpation_quantity;
 

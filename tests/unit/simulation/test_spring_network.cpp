@@ -6,6 +6,7 @@
 #include "simulation/geometry/mesh/make_mesh.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -69,6 +70,7 @@ private slots:
     void recoversWithItsTimeConstant();
     void staysFiniteForAnyInput();
     void twoPressesAreTheSameInEitherOrder();
+    void asManyAsThereMayBeAreTheSameInAnyOrder();
     void givesTheSameBitsAgain();
     void refusesWhatIsNoNetwork();
     void aStepIsFarBelowTenMilliseconds();
@@ -221,6 +223,41 @@ void TestSpringNetwork::twoPressesAreTheSameInEitherOrder() {
     for (int step = 0; step < 100; ++step)
         force = alone->step(std::array{one})[0];
     QVERIFY(first[0] < force - 1e-3);
+}
+
+void TestSpringNetwork::asManyAsThereMayBeAreTheSameInAnyOrder() {
+    const Dome of = dome(0.003);
+    std::array<NetworkPush, core::kMaxTools> pushes;
+    for (std::size_t i = 0; i < pushes.size(); ++i) { // around the apex, each deeper than the one before
+        const double angle = 0.5 * core::kPi * static_cast<double>(i);
+        const Vec3 way = Vec3(0.5 * std::cos(angle), 0.5 * std::sin(angle), 1.0).normalized();
+        NetworkPush& push = pushes[i];
+        push = press(of, 0.0, 500.0);
+        double nearest = -1.0;
+        for (std::uint32_t t = 0; t < of.shape.triangles.size(); ++t) {
+            const double along = of.shape.vertices[of.shape.triangles[t][0]].normalized().dot(way);
+            if (along > nearest) {
+                nearest = along;
+                push.triangle = t;
+            }
+        }
+        const Vec3 at = of.shape.vertices[of.shape.triangles[push.triangle][0]];
+        push.normal = at.normalized();
+        push.p_Tool = at - (0.001 + 0.0005 * static_cast<double>(i)) * push.normal;
+    }
+    auto turned = pushes;
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    const auto a = network(of);
+    const auto b = network(of);
+    std::array<double, core::kMaxTools> first{}, second{};
+    for (int step = 0; step < 100; ++step) {
+        first = a->step(pushes);
+        second = b->step(turned);
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        QVERIFY2(first[i] > 0.05, qPrintable(QString::number(first[i])));
+        QVERIFY(std::abs(first[(i + 1) % first.size()] - second[i]) < 1e-9);
+    }
 }
 
 void TestSpringNetwork::givesTheSameBitsAgain() {

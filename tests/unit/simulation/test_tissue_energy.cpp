@@ -55,6 +55,7 @@ private slots:
     void initTestCase() { core::setModelFloatingPointEnvironment(); }
     void forceIsMinusGradientOfEnergy_data() { potentials(); }
     void forceIsMinusGradientOfEnergy();
+    void forceIsMinusGradientBeyondTheLumpsLaw();
     void pressSlideLiftMakesNothing_data() { potentials(); }
     void pressSlideLiftMakesNothing();
     void randomLoopsMakeNothing_data() { potentials(); }
@@ -86,6 +87,28 @@ void TestTissueEnergy::forceIsMinusGradientOfEnergy() {
     // Central differences: a sixth of the third derivative times h² is far below the rounding of U, 1e-18 J /
     // h.
     QVERIFY2(worst < (which < 2 ? 1e-7 : 1e-4), qPrintable(QString::number(worst)));
+}
+
+// From 9 mm on these lumps' law changes, since the finger sinks no farther towards them (λ d ≤ (h − R)/2).
+// The force is still minus the gradient of the energy.
+void TestTissueEnergy::forceIsMinusGradientBeyondTheLumpsLaw() {
+    const TissueContact contact = contactOf(quietPad());
+    core::Random random(8);
+    double worst = 0.0;
+    constexpr double h = 2e-7;
+    for (int n = 0; n < 4000; ++n) {
+        const Vec3 p(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03),
+                     -random.uniform(0.0095, 0.030));
+        const TissueResponse here = pressAt(contact, p);
+        QVERIFY(here.beyondChecked);
+        Vec3 slope;
+        for (int axis = 0; axis < 3; ++axis)
+            slope[axis] = (pressAt(contact, p + h * Vec3::Unit(axis)).energy_J -
+                           pressAt(contact, p - h * Vec3::Unit(axis)).energy_J) /
+                          (2 * h);
+        worst = std::max(worst, (here.force + slope).norm());
+    }
+    QVERIFY2(worst < 1e-6, qPrintable(QString::number(worst)));
 }
 
 void TestTissueEnergy::pressSlideLiftMakesNothing() {

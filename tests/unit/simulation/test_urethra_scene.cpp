@@ -30,6 +30,11 @@ private slots:
     void pauseStopsClockAndProcedure();
     void nothingIsTouchedAfterTheEnd();
     void contactBeginsWithTheBeak();
+    void theGateIsPassedThroughTheMeatus();
+    void aPoseSeenFirstIsInWithinReach();
+    void withoutAMeatusEverythingIsCanal();
+    void besideTheCanalNothingIsFelt();
+    void entersAndLeavesThroughTheMeatus();
     void rotatedSceneIsTheSame();
     void mirroredSceneIsMirrored();
     void poseThatIsNoNumberIsPassedOver();
@@ -78,7 +83,7 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
             ++changed;
             stages.push_back(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage);
         }
-        seen += (d.out.events & bits::kLandmarkSeen) != 0;
+        seen += (d.out.events & core::procedure_bits::kLandmarkSeen) != 0;
         deepest_m = std::max(deepest_m, d.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m);
         QCOMPARE(d.out.phase, TrialPhase::running);
     }
@@ -169,6 +174,103 @@ void TestUrethraScene::contactBeginsWithTheBeak() {
     QCOMPARE(d.out.events, bits::kContactBegan | bits::kStageChanged);
     d.at(-0.0101);
     QCOMPARE(d.out.events, bits::kContactEnded);
+}
+
+void TestUrethraScene::theGateIsPassedThroughTheMeatus() {
+    constexpr double radius_m = 0.005, beak_m = 0.010;
+    MeatusGate gate(radius_m, beak_m);
+    QVERIFY(!gate.step(-0.030, 0.0));
+    QVERIFY(!gate.step(-beak_m, 0.0));
+    QVERIFY(gate.step(-0.0099, 0.0049));
+    QVERIFY(gate.step(0.050, 0.020)); // however far off: it came in and has not left
+    QVERIFY(gate.inside());
+    QVERIFY(!gate.step(-beak_m, 0.0)); // out
+    QVERIFY(!gate.step(-0.0099, 0.0051));
+    QVERIFY(!gate.step(0.050, 0.0)); // beside the canal, and not in by the way across
+    QVERIFY(!gate.step(-0.0099, 0.0));
+    // Where it passed is between two positions.
+    QVERIFY(!gate.step(-0.012, 0.003));
+    QVERIFY(gate.step(-0.008, 0.0069)); // at 4.95 mm
+    QVERIFY(!gate.step(-0.012, 0.003));
+    QVERIFY(!gate.step(-0.008, 0.0071)); // at 5.05 mm
+}
+
+void TestUrethraScene::aPoseSeenFirstIsInWithinReach() {
+    MeatusGate gate(0.005, 0.010);
+    QVERIFY(gate.step(0.050, kCanalReach_m));
+    gate.forget();
+    QVERIFY(!gate.step(0.050, 1.01 * kCanalReach_m));
+    QVERIFY(!gate.step(0.050, 0.0)); // no longer the first
+    gate.forget();
+    QVERIFY(!gate.step(-0.010, 0.0));
+}
+
+void TestUrethraScene::withoutAMeatusEverythingIsCanal() {
+    MeatusGate gate(0.0, 0.010);
+    QVERIFY(gate.step(-0.030, 1.0));
+    QVERIFY(gate.step(0.050, 1.0));
+}
+
+void TestUrethraScene::besideTheCanalNothingIsFelt() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.meatus_m = 0.005;
+    Driver d(p);
+    UrethraInsertionParameters open = p;
+    open.meatus_m = 0.0;
+    Driver all(open);
+    d.startRunning();
+    all.startRunning();
+    const UrethraCentreline line(p.anatomy);
+    double most = 0.0;
+    for (int n = 0; n <= 240; ++n) { // 30 mm before the entrance to 90 mm behind it
+        const CentrelinePoint at = line.at(-0.030 + 0.0005 * n);
+        for (Driver* each : {&d, &all}) {
+            each->tool() = endoscopeAt(p.pose, at.p_A + 0.007 * Vec3::UnitX(), at.t_A);
+            each->tick();
+        }
+        QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+        QCOMPARE(d.out.storedEnergy_J, 0.0);
+        QCOMPARE(int(d.out.contact[0]), 0);
+        QCOMPARE(d.out.events & bits::kContactBegan, 0u);
+        most = std::max(most, norm(all.out.tissue.tools[0]));
+    }
+    QVERIFY(most > 1.0); // the wall is there
+    // Nor once it is moved across, onto the centre-line.
+    d.at(0.060, 5);
+    all.at(0.060, 5);
+    QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+    QCOMPARE(d.out.storedEnergy_J, 0.0);
+    QVERIFY(all.out.storedEnergy_J > 0.0);
+}
+
+void TestUrethraScene::entersAndLeavesThroughTheMeatus() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.meatus_m = 0.005;
+    Driver d(p);
+    d.startRunning();
+    const UrethraCentreline line(p.anatomy);
+    const auto to = [&](double s_m, double offset_m) {
+        const CentrelinePoint at = line.at(s_m);
+        d.tool() = endoscopeAt(p.pose, at.p_A + offset_m * Vec3::UnitX(), at.t_A);
+        d.tick();
+    };
+    for (int again = 0; again < 2; ++again) {
+        to(-0.030, 0.004);
+        to(-0.0101, 0.004);
+        QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+        to(-0.0099, 0.004);
+        QVERIFY((d.out.events & bits::kContactBegan) != 0);
+        to(0.060, 0.004);
+        QVERIFY(norm(d.out.tissue.tools[0]) > 0.1 && d.out.storedEnergy_J > 0.0);
+        to(0.060, 0.007); // as far off as beside it
+        QVERIFY(norm(d.out.tissue.tools[0]) > 0.1);
+        to(-0.0101, 0.0);
+        QCOMPARE(d.out.events & bits::kContactEnded, bits::kContactEnded);
+        QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+        to(-0.0101, 0.007);
+        to(0.060, 0.007);
+        QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+    }
 }
 
 // Rotating and moving the whole scene changes nothing but the frame.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unit/translations/glossary_stems.h"
 
+#include "core/languages.h"
+
 #include <QFile>
 #include <algorithm>
 
@@ -56,6 +58,7 @@ GlossaryStems::GlossaryStems(const QString& path, QStringList& faults) {
 }
 
 void GlossaryStems::readLine(const QString& line, QStringList& faults) {
+    const std::vector<std::string> languages = chiron::core::languageIds(); // a column of terms for each
     QStringList cells;
     for (const QString& cell :
          line.mid(line.startsWith(QLatin1Char('=')) || line.startsWith(QLatin1Char('!')))
@@ -66,10 +69,11 @@ void GlossaryStems::readLine(const QString& line, QStringList& faults) {
     } else if (line.startsWith(QLatin1Char('!')) && cells.size() == 5 && !cells[4].isEmpty()) {
         m_exceptions.push_back(
             {parts(cells[0], QLatin1Char(',')), parts(cells[1], QLatin1Char(';')), cells[2], cells[3]});
-    } else if (line.front().isLetter() && cells.size() == 3) {
-        Term term{parts(cells[0], QLatin1Char(';')),
-                  {{QStringLiteral("de"), parts(cells[1], QLatin1Char(';'))},
-                   {QStringLiteral("el"), parts(cells[2], QLatin1Char(';'))}}};
+    } else if (line.front().isLetter() && cells.size() == static_cast<qsizetype>(languages.size())) {
+        Term term{parts(cells[0], QLatin1Char(';')), {}};
+        for (std::size_t i = 1; i < languages.size(); ++i)
+            term.stems.insert(QString::fromStdString(languages[i]),
+                              parts(cells[static_cast<qsizetype>(i)], QLatin1Char(';')));
         for (const QString& form : term.forms)
             addForm(form, static_cast<int>(m_terms.size()));
         m_terms.push_back(std::move(term));

@@ -2,6 +2,7 @@
 // Every text that a person reads is translated, whole and in the form that the program relies on; none can be
 // forgotten, because lupdate reads the sources again here.
 #include "core/languages.h"
+#include "support/feeling_words.h"
 #include "unit/translations/content_sentences.h"
 #include "unit/translations/glossary_stems.h"
 #include "unit/translations/text_rules.h"
@@ -38,6 +39,27 @@ TsMessage text(const char* source, const char* translation) {
     message.finished = true;
     return message;
 }
+
+/// The contexts, without namespaces, of what people read while they work: training and studies.
+const QStringList kAtWork{QStringLiteral("AnswerNote"),    QStringLiteral("AnswerPanel"),
+                          QStringLiteral("ApexStage"),     QStringLiteral("BreakPanel"),
+                          QStringLiteral("ControlBar"),    QStringLiteral("ControlGuide"),
+                          QStringLiteral("ForceBar"),      QStringLiteral("ForceGauge"),
+                          QStringLiteral("ForceWords"),    QStringLiteral("GateWords"),
+                          QStringLiteral("GraspNote"),     QStringLiteral("GraspPanel"),
+                          QStringLiteral("GraspWords"),    QStringLiteral("HeaderBar"),
+                          QStringLiteral("InfoPanel"),     QStringLiteral("InsertionPanel"),
+                          QStringLiteral("LevelFacts"),    QStringLiteral("LivePlot"),
+                          QStringLiteral("Metrics"),       QStringLiteral("ParticipantSentences"),
+                          QStringLiteral("PlacesView"),    QStringLiteral("ReadyCard"),
+                          QStringLiteral("SidePanel"),     QStringLiteral("SoundSign"),
+                          QStringLiteral("StageWords"),    QStringLiteral("StudyControls"),
+                          QStringLiteral("TargetBar"),     QStringLiteral("TrainingScreen"),
+                          QStringLiteral("TrainingWords"), QStringLiteral("TrialsScreen")};
+/// Those of the exercise in which palpating is the name of the task.
+const QStringList kOfPalpation{QStringLiteral("FindingsBox"),    QStringLiteral("FlatFingers"),
+                               QStringLiteral("LeanDial"),       QStringLiteral("MapLegend"),
+                               QStringLiteral("PalpationPanel"), QStringLiteral("PalpationWords")};
 
 /// The bare names of the QObject classes of the desktop that live in a namespace.
 QSet<QString> namespacedClasses() {
@@ -92,6 +114,11 @@ private slots:
         const QStringList faults =
             faultsOf(text(source.toUtf8().constData(), translation.toUtf8().constData()), kPluralForms);
         QVERIFY2(faults.isEmpty() == good, qPrintable(faults.join(QLatin1String("; "))));
+    }
+
+    /// CMake, which makes the files of each language part of the program, reads the same list.
+    void theBuildKnowsTheLanguages() {
+        QCOMPARE(QStringLiteral(CHIRON_LANGUAGES).split(QLatin1Char(':')), locales());
     }
 
     void rulesNoticeUnfinishedAndMissingForms() {
@@ -194,8 +221,8 @@ private slots:
         for (const QStringList& cells : glossary())
             for (const QString& form : formsIn(cells[0])) {
                 inGlossary << form;
-                for (const auto& [language, cell] : {std::pair{"de", 1}, {"el", 2}})
-                    if (!stems.has(form, cells[cell], QLatin1String(language)))
+                for (int cell = 1; cell < locales().size(); ++cell)
+                    if (!stems.has(form, cells[cell], locales()[cell]))
                         faults << QStringLiteral("%1: no stem of \"%2\"").arg(form, cells[cell].trimmed());
             }
         for (const QString& term : stems.firstForms())
@@ -260,6 +287,35 @@ private slots:
         QVERIFY2(stems.found() > 2000, qPrintable(QString::number(stems.found())));
     }
 
+    /// Where force is shown and not felt, no text at work may speak of feeling. The pairs that differ between
+    /// the two stand in FeltWords, which says nothing but the one that fits.
+    void textsAtWorkDoNotSpeakOfFeeling_data() { eachLocale(); }
+    void textsAtWorkDoNotSpeakOfFeeling() {
+        QFETCH(QString, locale);
+        // English texts are the sources in the catalogue of another language.
+        const auto messages =
+            readTs(catalogue(locale == QLatin1String("en") ? QStringLiteral("de") : locale));
+        QVERIFY(messages.has_value());
+        QSet<QString> seen;
+        QStringList found;
+        for (const TsMessage& message : *messages) {
+            const QString context = message.context.section(QStringLiteral("::"), -1);
+            const bool palpation = kOfPalpation.contains(context);
+            if (!palpation && !kAtWork.contains(context))
+                continue;
+            seen << context;
+            QStringList texts = message.translations;
+            if (locale == QLatin1String("en"))
+                texts = {message.source};
+            for (const QString& text : texts)
+                if (const QString words = chiron::tests::feelingIn(text, locale, palpation); !words.isEmpty())
+                    found << message.key() + QStringLiteral(" -- ") + words;
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(report(found)));
+        for (const QString& context : kAtWork + kOfPalpation)
+            QVERIFY2(seen.contains(context), qPrintable(context)); // a renamed screen would not be looked at
+    }
+
     /// A text that lupdate does not see, because it is in a folder that it does not read, could never be
     /// translated.
     void everyFolderWithTextsIsRead() {
@@ -293,24 +349,24 @@ private:
 
     static void inTranslation() {
         QTest::addColumn<QString>("locale");
-        QTest::addColumn<int>("cell"); // of the glossary
-        QTest::newRow("de") << QStringLiteral("de") << 1;
-        QTest::newRow("el") << QStringLiteral("el") << 2;
+        QTest::addColumn<int>("cell"); // of the glossary, whose columns are in the order of the languages
+        for (int cell = 1; cell < locales().size(); ++cell)
+            QTest::newRow(qPrintable(locales()[cell])) << locales()[cell] << cell;
     }
 
     static QString stemsFile() {
         return QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/translations/glossary_stems.txt");
     }
 
-    /// The rows of the glossary: English, German, Greek.
+    /// The rows of the glossary: a cell for each language, English first.
     static std::vector<QStringList> glossary() {
         QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/docs/glossary.md"));
         if (!file.open(QIODevice::ReadOnly))
             qFatal("the glossary cannot be read");
         std::vector<QStringList> rows;
         for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
-            const QStringList cells = line.split(QLatin1Char('|')).mid(1, 3);
-            if (cells.size() == 3 && !line.startsWith(QLatin1String("|---")) &&
+            const QStringList cells = line.split(QLatin1Char('|')).mid(1, locales().size());
+            if (cells.size() == locales().size() && !line.startsWith(QLatin1String("|---")) &&
                 cells[0].trimmed() != QLatin1String("English"))
                 rows.push_back(cells);
         }

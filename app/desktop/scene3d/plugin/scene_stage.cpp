@@ -32,7 +32,8 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
     : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root),
       m_camera(new Qt3DRender::QCamera(m_root)), m_ghostLayer(makeLayer(m_root)),
       m_overLayer(makeLayer(m_root)),
-      m_cloth(new Qt3DRender::QParameter(QStringLiteral("cloth"), QVector3D(), m_root)) {
+      m_cloth(new Qt3DRender::QParameter(QStringLiteral("cloth"), QVector3D(), m_root)),
+      m_yields(m_light, m_overLayer, m_root) {
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
     m_content->putTranslucent(m_ghostLayer);
@@ -103,6 +104,7 @@ void SceneStage::change(const SceneSetup& setup) {
     m_cloth->setValue(toTint(setup.colours.field).toVector3D());
     m_content->change(setup);
     m_marks->change(setup);
+    m_yields.change(setup);
     m_ghost->setGhostColour(setup.colours.ghost);
     for (ForceArrow* arrow : m_arrows)
         arrow->change(setup);
@@ -116,6 +118,7 @@ void SceneStage::change(const SceneSetup& setup) {
 void SceneStage::show(const SceneState& state) {
     m_content->show(state);
     m_marks->show(state, *m_content);
+    m_yields.show(state);
     const bool several = toolsOf(state) > 1;
     for (std::size_t i = 0; i < state.tool.size(); ++i) {
         ToolView tool = state.tool[i];

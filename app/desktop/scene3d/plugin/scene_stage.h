@@ -8,6 +8,7 @@
 #include "desktop/scene3d/plugin/place_marks.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/stage.h"
+#include "desktop/scene3d/plugin/yield_marks.h"
 
 #include <QObject>
 #include <Qt3DRender/QCamera>
@@ -47,6 +48,7 @@ private:
     Qt3DRender::QLayer* m_ghostLayer;
     Qt3DRender::QLayer* m_overLayer;
     Qt3DRender::QParameter* m_cloth;
+    YieldMarks m_yields;
     Qt3DRender::QClearBuffers* m_clear = nullptr;
     std::unique_ptr<ISceneContent> m_content;
     std::array<Instrument*, core::kMaxTools> m_instruments{};

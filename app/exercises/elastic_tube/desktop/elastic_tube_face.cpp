@@ -6,6 +6,7 @@
 #include "app/exercises/elastic_tube/desktop/tube_picture.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
+#include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/training/grasp_part.h"
 
@@ -83,6 +84,13 @@ std::unique_ptr<LevelPicture> ElasticTubeFace::picture(const catalogue::Exercise
 
 QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
     return tubeFacts(level.parameters.as<simulation::ElasticTubeParameters>(), locale);
+}
+
+QStringList ElasticTubeFace::limitWords(const session::LevelLimits& limits, const QLocale& locale) const {
+    QStringList words;
+    if (const auto retraction_N = limits.of("retraction_max"))
+        words << GateTexts::tr("Pull on the fold: %1 N at most").arg(factNumber(*retraction_N, locale));
+    return words;
 }
 
 std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level,

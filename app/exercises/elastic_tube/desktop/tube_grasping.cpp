@@ -87,12 +87,13 @@ QString heldTube(const core::LaparoscopyCues& cues) {
 
 Grasping tubeGrasping(const simulation::ElasticTubeParameters& level, const session::LevelLimits& limits) {
     Grasping grasping;
-    grasping.limits = limits;
+    grasping.forceLimit_N = limits.force_N;
     grasping.tools = level.tools();
     grasping.measured = Grasping::Measured::tension;
     grasping.measuredEnd_N = scene3d::tensionEnd_N(level);
     if (level.hasFold()) {
         grasping.retractionEnd_N = 1.8 * level.retractionHigh_N;
+        grasping.retractionLimit_N = limits.of("retraction_max").value_or(0.0);
         grasping.retractor = level.retractor();
     }
     grasping.reach_m = level.graspReach_m;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
 
+#include "app/exercises/elastic_tube/session/planned_tube.h"
 #include "desktop/playback/grasp_moment.h"
 #include "desktop/playback/playback_plots.h"
 #include "report/report_text.h"
@@ -61,13 +62,14 @@ Stepped bands(const session::PlaybackTrack& track, const TubeLayer& tube) {
 } // namespace
 
 TubeLayer::TubeLayer(const simulation::ElasticTubeParameters& level, std::uint64_t seed)
-    : m_level(level), m_trials(simulation::planElasticTubeTrials(level, seed)) {}
+    : m_level(level), m_trials(simulation::planElasticTubeTrials(level, seed)),
+      m_truths(session::plannedTubes(level, seed)) {}
 
 TubeLayer::Band TubeLayer::bandOf(int trial) const {
     const auto i = static_cast<std::size_t>(trial);
-    if (trial < 0 || i >= m_trials.size() || !(m_trials[i].target_N > 0.0))
+    if (trial < 0 || i >= m_truths.size() || !m_truths[i].target_N || !m_truths[i].band_N)
         return {};
-    return {m_trials[i].target_N - m_level.band_N, m_trials[i].target_N + m_level.band_N};
+    return {*m_truths[i].target_N - *m_truths[i].band_N, *m_truths[i].target_N + *m_truths[i].band_N};
 }
 
 core::LaparoscopyCues TubeLayer::cuesAt(const session::PlaybackTrack& track,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
+#include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "desktop/playback/playback_layer.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 
@@ -47,6 +48,7 @@ private:
 
     simulation::ElasticTubeParameters m_level;
     std::vector<simulation::ElasticTubeTrial> m_trials;
+    std::vector<scoring::TubeTruth> m_truths; ///< one per trial
 };
 
 } // namespace chiron::desktop

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 
+#include "app/exercises/elastic_tube/session/planned_tube.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
+#include "session/laparoscopy_steps.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
 
@@ -126,6 +128,10 @@ double ElasticTubeKind::forceLimit_N(const catalogue::ExerciseLevel& level) cons
     return parametersOf(level).maximumForce_N;
 }
 
+std::vector<LimitedMetric> ElasticTubeKind::limitedMetrics(const catalogue::ExerciseLevel&) const {
+    return {{.metric = "retraction_max"}};
+}
+
 std::uint64_t ElasticTubeKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
     return static_cast<std::uint64_t>(
@@ -134,27 +140,10 @@ std::uint64_t ElasticTubeKind::tickLimit(const catalogue::ExerciseLevel& level) 
 
 void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                scoring::TrialTrace& trial) const {
-    const auto& p = parametersOf(level);
-    const auto plan = simulation::planElasticTubeTrials(p, seed);
+    const auto planned = plannedTubes(parametersOf(level), seed);
     const auto index = static_cast<std::size_t>(trial.trial);
-    if (trial.trial < 0 || index >= plan.size())
-        return;
-    if (plan[index].target_N > 0.0) {
-        trial.truth.push_back({"target_N", plan[index].target_N});
-        trial.truth.push_back({"band_N", p.band_N});
-    }
-    if (p.task == TubeTask::stretch) {
-        trial.truth.push_back({"mark_m", (p.markRatio - 1.0) * p.restLength_m});
-        trial.truth.push_back({"mark_tolerance_m", p.markTolerance * p.restLength_m});
-    }
-    if (p.hasFold()) {
-        trial.truth.push_back({"retraction_low_N", p.retractionLow_N});
-        trial.truth.push_back({"retraction_high_N", p.retractionHigh_N});
-    }
-    trial.truth.push_back({"over_stretch_m", (p.overStretchRatio - 1.0) * p.restLength_m});
-    trial.truth.push_back({"tear_m", (p.tearRatio - 1.0) * p.restLength_m});
-    trial.truth.push_back({"hold_s", p.hold_s});
-    trial.truth.push_back({"task", static_cast<double>(p.task)});
+    if (trial.trial >= 0 && index < planned.size())
+        trial.truth = scoring::valuesOf(planned[index]);
 }
 
 std::unique_ptr<TrialSurfaces> ElasticTubeKind::makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -173,6 +162,12 @@ Demonstration ElasticTubeKind::demonstration() const {
                       "times it was let go\n"};
 }
 
+core::Result<void> ElasticTubeKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                             PlaybackTrack& track) const {
+    nameSteps(track);
+    return {};
+}
+
 std::vector<MomentRule> ElasticTubeKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "over_stretches", .marks = {damaged, failed}},
@@ -180,7 +175,8 @@ std::vector<MomentRule> ElasticTubeKind::momentRules() const {
             {.metric = "retraction_max",
              .by = MomentRule::By::largestQuantity,
              .quantity = "retraction_N",
-             .unit = "N"}};
+             .unit = "N"},
+            {.metric = "procedure_completed", .marks = {failed}, .spread = true}}; // where it tore
 }
 
 } // namespace chiron::session

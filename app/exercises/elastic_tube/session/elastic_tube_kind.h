@@ -29,10 +29,9 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// The values that the metrics of tension, stretch and drops need: target_N and band_N (if the task has a
-    /// target tension), mark_m and mark_tolerance_m (if it has a mark; stretch beyond the rest length),
-    /// over_stretch_m, tear_m, hold_s and task (simulation::TubeTask).
+    /// Adds scoring::TubeTruth.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;
     /// The base is the object of the trial; the surface point of a tool is its own position.
@@ -42,6 +41,9 @@ public:
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+    /// The steps of the task name its changes of stage.
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 
+#include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "session_report/trial_values.h"
 
 #include <algorithm>
@@ -28,25 +29,22 @@ class TubeSeries {
 public:
     explicit TubeSeries(report::TubeReport& tube) : m_tube(tube) {}
 
-    void add(const scoring::TrialTrace& trial) {
+    void add(const scoring::TrialTrace& trial, const scoring::TubeTruth& truth) {
         const std::vector<double>* tension = quantityIn(trial, "tension_N");
         const std::vector<double>* stretch = quantityIn(trial, "stretch_m");
         if (tension == nullptr || stretch == nullptr || tension->empty())
             return;
         const std::vector<double>* retraction = quantityIn(trial, "retraction_N");
         const scoring::ToolTrace& tool = trial.tools.front();
-        const auto target = truthIn(trial, "target_N");
-        const auto band = truthIn(trial, "band_N");
-        const auto mark = truthIn(trial, "mark_m");
-        const auto tolerance = truthIn(trial, "mark_tolerance_m");
+        const bool band = truth.target_N && truth.band_N, mark = truth.mark_m && truth.markTolerance_m;
         for (std::size_t i = 0; i < tension->size(); i += kSamplesPerPoint) {
             const std::size_t end = std::min(i + kSamplesPerPoint, tension->size());
             point(tool.t_s[i], farthest(*tension, i, end), 1e3 * farthest(*stretch, i, end));
             m_tube.retraction_N.push_back(retraction ? farthest(*retraction, i, end) : kNothing);
-            m_tube.bandLow_N.push_back(target && band ? *target - *band : kNothing);
-            m_tube.bandHigh_N.push_back(target && band ? *target + *band : kNothing);
-            m_tube.markLow_mm.push_back(mark && tolerance ? 1e3 * (*mark - *tolerance) : kNothing);
-            m_tube.markHigh_mm.push_back(mark && tolerance ? 1e3 * (*mark + *tolerance) : kNothing);
+            m_tube.bandLow_N.push_back(band ? *truth.target_N - *truth.band_N : kNothing);
+            m_tube.bandHigh_N.push_back(band ? *truth.target_N + *truth.band_N : kNothing);
+            m_tube.markLow_mm.push_back(mark ? 1e3 * (*truth.mark_m - *truth.markTolerance_m) : kNothing);
+            m_tube.markHigh_mm.push_back(mark ? 1e3 * (*truth.mark_m + *truth.markTolerance_m) : kNothing);
         }
         gap(tool.t_s.back());
         notePauses(tool);
@@ -96,15 +94,16 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
         const scoring::TrialTrace& trial = trace.trials[i];
         if (trial.tools.empty() || trial.tools.front().t_s.empty())
             continue;
+        const scoring::TubeTruth truth = scoring::tubeTruthIn(trial);
         tube.trialStart_s.push_back(trial.tools.front().t_s.front());
-        tube.rows.push_back({trial.trial, outcomeOf(trial), truthIn(trial, "target_N"),
-                             scores.of(i, "tension_error_rms"), scores.of(i, "time_in_band"),
-                             1e3 * largestOf(quantityIn(trial, "stretch_m")), scores.of(i, "over_stretches"),
-                             scores.of(i, "drops"), scores.of(i, "retraction_time_in_band")});
-        tube.retractionLow_N = truthIn(trial, "retraction_low_N").value_or(0.0);
-        tube.retractionHigh_N = truthIn(trial, "retraction_high_N").value_or(0.0);
-        tube.overStretch_mm = 1e3 * truthIn(trial, "over_stretch_m").value_or(0.0);
-        series.add(trial);
+        tube.rows.push_back({trial.trial, outcomeOf(trial), truth.target_N, scores.of(i, "tension_error_rms"),
+                             scores.of(i, "time_in_band"), 1e3 * largestOf(quantityIn(trial, "stretch_m")),
+                             scores.of(i, "over_stretches"), scores.of(i, "drops"),
+                             scores.of(i, "retraction_time_in_band")});
+        tube.retractionLow_N = truth.retractionLow_N.value_or(0.0);
+        tube.retractionHigh_N = truth.retractionHigh_N.value_or(0.0);
+        tube.overStretch_mm = 1e3 * truth.overStretch_m.value_or(0.0);
+        series.add(trial, truth);
     }
     return tube;
 }

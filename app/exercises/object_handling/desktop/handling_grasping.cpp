@@ -15,9 +15,10 @@ using simulation::HandlingTask;
 namespace {
 
 QString placeText(const session::LevelLimits& limits, const QLocale& locale) {
-    return limits.placement_mm
+    const std::optional<double> placement_mm = limits.of("placement_error");
+    return placement_mm
                ? GraspTexts::tr("Set it down in the middle of the ring, at most %1 mm off, and let go")
-                     .arg(locale.toString(*limits.placement_mm, 'g', 3))
+                     .arg(locale.toString(*placement_mm, 'g', 3))
                : GraspTexts::tr("Set it down inside the ring and let go");
 }
 
@@ -64,7 +65,7 @@ QString heldObject(const core::LaparoscopyCues& cues, const QLocale& locale) {
 Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level,
                           const session::LevelLimits& limits) {
     Grasping grasping;
-    grasping.limits = limits;
+    grasping.forceLimit_N = limits.force_N;
     grasping.tools = level.tools();
     grasping.measured = Grasping::Measured::squeeze;
     grasping.measuredEnd_N = 1.5 * level.squeezeLimit_N;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/desktop/handling_layer.h"
 
+#include "app/exercises/object_handling/session/planned_handling.h"
 #include "desktop/playback/grasp_moment.h"
 #include "desktop/playback/playback_plots.h"
 #include "report/report_text.h"
@@ -12,24 +13,24 @@
 namespace chiron::desktop {
 
 HandlingLayer::HandlingLayer(const simulation::ObjectHandlingParameters& level, std::uint64_t seed)
-    : m_level(level), m_trials(simulation::planObjectHandlingTrials(level, seed)) {}
+    : m_level(level), m_truths(session::plannedHandling(level, seed)) {}
 
 core::LaparoscopyCues HandlingLayer::cuesAt(const session::PlaybackTrack& track,
                                             const session::PlaybackView& view) const {
     core::LaparoscopyCues cues = graspCuesAt(track, view);
-    if (cues.present && view.moment.trial < m_trials.size())
+    if (cues.present && view.moment.trial < m_truths.size())
         fillObjects(track, view, cues);
     return cues;
 }
 
 void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view,
                                 core::LaparoscopyCues& cues) const {
-    const simulation::ObjectHandlingTrial& trial = m_trials[view.moment.trial];
+    const scoring::HandlingTruth& truth = m_truths[view.moment.trial];
     const int held = static_cast<int>(std::lround(quantityAt(track, view, "held"))) - 1;
     cues.squeezeShown = true;
     cues.squeeze_N[0] = quantityAt(track, view, "squeeze_N");
-    cues.squeezeLimit_N = m_level.squeezeLimit_N;
-    cues.bodies = std::min(trial.objects, static_cast<int>(core::LaparoscopyCues::kMaxBodies));
+    cues.squeezeLimit_N = truth.squeezeLimit_N.value_or(0.0);
+    cues.bodies = std::min(truth.objects.value_or(0), static_cast<int>(core::LaparoscopyCues::kMaxBodies));
     for (int i = 0; i < cues.bodies; ++i) {
         core::BodyCue& body = cues.body[static_cast<std::size_t>(i)];
         body.p_W = placeAt(track, view, "body_" + std::to_string(i));
@@ -43,8 +44,8 @@ void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const sessi
         body.squeeze_m = std::max(0.0, 2.0 * m_level.radius_m - opening_m);
     }
     cues.targetShown = true;
-    cues.p_WTarget = {trial.target_m.x(), trial.target_m.y(), 0.0};
-    cues.targetRadius_m = m_level.targetRadius_m;
+    cues.p_WTarget = {truth.targetX_m.value_or(0.0), truth.targetY_m.value_or(0.0), 0.0};
+    cues.targetRadius_m = truth.targetRadius_m.value_or(0.0);
 }
 
 void HandlingLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track,

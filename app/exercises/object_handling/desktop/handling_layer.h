@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
+#include "curriculum/exercises/object_handling/scoring/handling_truth.h"
 #include "desktop/playback/playback_layer.h"
-#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <cstdint>
 #include <vector>
@@ -33,7 +34,7 @@ private:
                      core::LaparoscopyCues& cues) const;
 
     simulation::ObjectHandlingParameters m_level;
-    std::vector<simulation::ObjectHandlingTrial> m_trials;
+    std::vector<scoring::HandlingTruth> m_truths; ///< one per trial
 };
 
 } // namespace chiron::desktop

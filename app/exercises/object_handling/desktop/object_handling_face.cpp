@@ -6,6 +6,7 @@
 #include "app/exercises/object_handling/desktop/handling_picture.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
+#include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/training/grasp_part.h"
@@ -62,6 +63,16 @@ std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::Exerc
 QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level,
                                            const QLocale& locale) const {
     return handlingFacts(level.parameters.as<simulation::ObjectHandlingParameters>(), locale);
+}
+
+QStringList ObjectHandlingFace::limitWords(const session::LevelLimits& limits, const QLocale& locale) const {
+    QStringList words;
+    if (const auto squeeze_N = limits.of("squeeze_max"))
+        words << GateTexts::tr("Squeeze: %1 N at most").arg(factNumber(*squeeze_N, locale));
+    if (const auto placement_mm = limits.of("placement_error"))
+        words << GateTexts::tr("At the end: %1 mm from the middle of the ring at most, on average")
+                     .arg(factNumber(*placement_mm, locale));
+    return words;
 }
 
 std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level,

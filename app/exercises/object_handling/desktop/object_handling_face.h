@@ -11,6 +11,7 @@ public:
     std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level,
                                           const PictureFrame& frame) const override;
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
+    QStringList limitWords(const session::LevelLimits& limits, const QLocale& locale) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;
     QString debriefTitle() const override;

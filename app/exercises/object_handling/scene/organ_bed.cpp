@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/scene/organ_bed.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "simulation/geometry/mesh/make_mesh.h"
 

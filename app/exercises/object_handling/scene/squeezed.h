@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/session/object_handling_kind.h"
 
+#include "app/exercises/object_handling/session/planned_handling.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
+#include "session/laparoscopy_steps.h"
 #include "session/level_cues.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
@@ -110,9 +112,9 @@ double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) c
     return parametersOf(level).maximumForce_N;
 }
 
-std::vector<std::pair<std::string_view, double>>
-ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
-    return {{"squeeze_max", parametersOf(level).squeezeLimit_N}};
+std::vector<LimitedMetric> ObjectHandlingKind::limitedMetrics(const catalogue::ExerciseLevel& level) const {
+    return {{.metric = "squeeze_max", .own = parametersOf(level).squeezeLimit_N},
+            {.metric = "placement_error"}};
 }
 
 std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& level) const {
@@ -123,22 +125,10 @@ std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& leve
 
 void ObjectHandlingKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                   scoring::TrialTrace& trial) const {
-    const auto& p = parametersOf(level);
-    const auto plan = simulation::planObjectHandlingTrials(p, seed);
+    const auto planned = plannedHandling(parametersOf(level), seed);
     const auto index = static_cast<std::size_t>(trial.trial);
-    if (trial.trial < 0 || index >= plan.size())
-        return;
-    const simulation::ObjectHandlingTrial& planned = plan[index];
-    trial.truth = {{"target_x_m", planned.target_m.x()},
-                   {"target_y_m", planned.target_m.y()},
-                   {"target_radius_m", p.targetRadius_m},
-                   {"squeeze_limit_N", p.squeezeLimit_N},
-                   {"task", static_cast<double>(p.task)},
-                   {"objects", static_cast<double>(planned.objects)},
-                   {"heaviest", static_cast<double>(planned.heaviest)}};
-    for (int i = 0; i < planned.objects; ++i)
-        trial.truth.push_back(
-            {"mass_" + std::to_string(i) + "_kg", planned.mass_kg[static_cast<std::size_t>(i)]});
+    if (trial.trial >= 0 && index < planned.size())
+        trial.truth = scoring::valuesOf(planned[index]);
 }
 
 std::unique_ptr<TrialSurfaces> ObjectHandlingKind::makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -154,6 +144,12 @@ Demonstration ObjectHandlingKind::demonstration() const {
             .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: "
                       "mean distance from the middle of the\n"
                       "target; weighed: weighings that were answered rightly\n"};
+}
+
+core::Result<void> ObjectHandlingKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                                PlaybackTrack& track) const {
+    nameSteps(track);
+    return {};
 }
 
 std::vector<MomentRule> ObjectHandlingKind::momentRules() const {

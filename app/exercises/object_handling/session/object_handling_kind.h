@@ -24,11 +24,9 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
-    std::vector<std::pair<std::string_view, double>>
-    otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// target_x_m, target_y_m, target_radius_m, squeeze_limit_N, task (simulation::HandlingTask), objects,
-    /// heaviest (object number, from 0) and mass_<i>_kg of each object.
+    /// Adds scoring::HandlingTruth.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;
     /// The object of a trial is its target on the bed; the moving objects are in the recorded quantities.
@@ -36,6 +34,9 @@ public:
                                                 std::uint64_t seed) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+    /// The steps of the task name its changes of stage.
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session

@@ -12,14 +12,13 @@ namespace chiron::session_report {
 namespace {
 
 /// Adds the position of the trial's object at the end of the trial.
-void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
+void addPlace(const scoring::TrialTrace& trial, const scoring::HandlingTruth& truth,
+              report::HandlingTrialRow& row) {
     scoring::PreparedTrial prepared; // the answer reads only quantities and truth from it
     prepared.trial = &trial;
     prepared.tool = &trial.tools.front();
     const auto answer = scoring::answerOf(prepared);
-    const auto x_m = truthIn(trial, "target_x_m");
-    const auto y_m = truthIn(trial, "target_y_m");
-    if (!answer || !x_m || !y_m)
+    if (!answer || !truth.targetX_m || !truth.targetY_m)
         return;
     const std::string body = "body_" + std::to_string(answer->number);
     const std::vector<double>* bodyX = quantityIn(trial, (body + "_x_m").c_str());
@@ -27,15 +26,11 @@ void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
     if (bodyX == nullptr || bodyY == nullptr || bodyX->empty())
         return;
     row.taken = answer->taken;
-    row.x_mm = 1e3 * (bodyX->back() - *x_m);
-    row.y_mm = 1e3 * (bodyY->back() - *y_m);
+    row.x_mm = 1e3 * (bodyX->back() - *truth.targetX_m);
+    row.y_mm = 1e3 * (bodyY->back() - *truth.targetY_m);
     row.fromTarget_mm = 1e3 * answer->fromTarget_m;
-    const auto task = truthIn(trial, "task");
-    const auto heaviest = truthIn(trial, "heaviest");
-    if (task && heaviest &&
-        static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh &&
-        trial.completed)
-        row.heaviest = answer->number == static_cast<int>(*heaviest);
+    if (truth.task == static_cast<int>(simulation::HandlingTask::weigh) && truth.heaviest && trial.completed)
+        row.heaviest = answer->number == *truth.heaviest;
 }
 
 } // namespace
@@ -53,9 +48,10 @@ report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace,
         row.outcome = outcomeOf(trial);
         row.squeezeMax_N = scores.of(i, "squeeze_max");
         row.overLimit_s = scores.of(i, "squeeze_time_over_limit");
-        addPlace(trial, row);
-        handling.squeezeLimit_N = truthIn(trial, "squeeze_limit_N").value_or(0.0);
-        handling.targetRadius_mm = 1e3 * truthIn(trial, "target_radius_m").value_or(0.0);
+        const scoring::HandlingTruth truth = scoring::handlingTruthIn(trial);
+        addPlace(trial, truth, row);
+        handling.squeezeLimit_N = truth.squeezeLimit_N.value_or(0.0);
+        handling.targetRadius_mm = 1e3 * truth.targetRadius_m.value_or(0.0);
         handling.rows.push_back(row);
     }
     return handling;

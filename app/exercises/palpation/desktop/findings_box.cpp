@@ -4,9 +4,9 @@
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/desktop/rating_row.h"
 #include "app/exercises/palpation/desktop/size_row.h"
-#include "core/report_word.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <QHBoxLayout>
 #include <algorithm>
@@ -57,7 +57,7 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simula
 void FindingsBox::addFindings(const Theme& theme) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(kit::label(theme, tr("Findings"), TextStyle::strong));
-    m_none = kit::label(theme, tr("None yet. Press where you feel something, then click or press Enter."),
+    m_none = kit::label(theme, tr("None yet. Press where the tissue is firmer, then mark the place (Enter)."),
                         TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("training.no_findings"));
     column->addWidget(m_none);
@@ -68,7 +68,7 @@ void FindingsBox::addFindings(const Theme& theme) {
         chip->setCheckable(true);
         connect(chip, &QPushButton::clicked, this, [this, chip, i] {
             chip->setChecked(m_cues.selected == static_cast<int>(i));
-            emit reported(core::ReportField::select, static_cast<unsigned>(i));
+            emit reported(simulation::ReportField::select, static_cast<unsigned>(i));
         });
         m_chips[i] = chip;
         chips->addWidget(chip);
@@ -91,27 +91,27 @@ void FindingsBox::addRatings(const Theme& theme, double padRadius_m) {
         m_size = new SizeRow(theme, m_locale, padRadius_m);
         m_size->setObjectName(QStringLiteral("training.size"));
         connect(m_size, &SizeRow::sized, this,
-                [this](unsigned tenths_mm) { emit reported(core::ReportField::size, tenths_mm); });
+                [this](unsigned tenths_mm) { emit reported(simulation::ReportField::size, tenths_mm); });
         layout()->addWidget(m_size);
     }
     const auto add = [&](bool asked, const QString& name, RatingRow::Word word, const char* id,
-                         core::ReportField field) -> RatingRow* {
+                         simulation::ReportField field) -> RatingRow* {
         if (!asked)
             return nullptr;
         auto* row = new RatingRow(theme, name, word);
         row->setObjectName(QLatin1String(id));
         connect(row, &RatingRow::rated, this, [this, field](int rating) {
             if (m_hardness && m_confidence)
-                keysTo(field == core::ReportField::hardness);
+                keysTo(field == simulation::ReportField::hardness);
             emit reported(field, static_cast<unsigned>(rating));
         });
         layout()->addWidget(row);
         return row;
     };
     m_hardness = add(m_cues.asksHardness, tr("Hardness"), &hardnessWord, "training.hardness",
-                     core::ReportField::hardness);
+                     simulation::ReportField::hardness);
     m_confidence = add(m_cues.asksConfidence, tr("Confidence"), &confidenceWord, "training.confidence",
-                       core::ReportField::confidence);
+                       simulation::ReportField::confidence);
 }
 
 void FindingsBox::addEnd(const Theme& theme) {
@@ -203,7 +203,7 @@ void FindingsBox::rate(int rating) {
     if (!anySelected() || (!m_hardness && !m_confidence))
         return;
     const bool hardness = m_digitsRateHardness;
-    emit reported(hardness ? core::ReportField::hardness : core::ReportField::confidence,
+    emit reported(hardness ? simulation::ReportField::hardness : simulation::ReportField::confidence,
                   static_cast<unsigned>(rating));
     if (hardness)
         keysTo(false); // the digits then set the next row
@@ -223,21 +223,21 @@ void FindingsBox::selectNext() {
         const int next = (m_cues.selected + i + all) % all;
         if (!m_cues.finding[static_cast<std::size_t>(next)].present)
             continue;
-        emit reported(core::ReportField::select, static_cast<unsigned>(next));
+        emit reported(simulation::ReportField::select, static_cast<unsigned>(next));
         return;
     }
 }
 
 void FindingsBox::takeBack() {
     if (anySelected())
-        emit reported(core::ReportField::remove, static_cast<unsigned>(m_cues.selected));
+        emit reported(simulation::ReportField::remove, static_cast<unsigned>(m_cues.selected));
 }
 
 void FindingsBox::done() {
     const QStringList missing = missingRatings(m_cues, m_locale);
     if (missing.isEmpty() || m_asked) {
         m_asked = false;
-        emit reported(core::ReportField::done, 0);
+        emit reported(simulation::ReportField::done, 0);
         return;
     }
     m_asked = true;

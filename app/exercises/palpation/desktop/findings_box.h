@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/report_word.h"
 #include "desktop/theme/theme.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -38,7 +38,7 @@ public:
     static std::span<const int> keys();
 
 signals:
-    void reported(chiron::core::ReportField field, unsigned value);
+    void reported(chiron::simulation::ReportField field, unsigned value);
 
 private:
     void addFindings(const Theme& theme);

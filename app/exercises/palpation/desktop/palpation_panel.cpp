@@ -4,7 +4,6 @@
 #include "app/exercises/palpation/desktop/lean_dial.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/session_report/finger_words.h"
-#include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
 #include "desktop/widgets/kit.h"
@@ -19,7 +18,6 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times per second, so that the digits can be read
 constexpr double kPlotHeight_px = 64;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLeanLimit_deg = 30.0; // limit of the platform (P3)
@@ -37,15 +35,12 @@ simulation::PalpationCues asksOf(const simulation::PalpationParameters& level) {
 
 PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                                const simulation::PalpationParameters& level, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_level(level),
-      m_column(new QVBoxLayout(this)) {
-    setProperty("kind", QStringLiteral("card"));
-    m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-    m_column->setSpacing(theme.px(8));
-    addHead();
+    : InfoView(theme, {.edge_px = 8.0, .gap_px = 8.0}, parent), m_theme(theme), m_locale(locale),
+      m_cues(cues), m_level(level) {
+    addElapsed(kit::line(theme, {}, TextStyle::body, "muted"), Qt::AlignRight);
     m_findings = new FindingsBox(theme, locale, asksOf(level), level.tissue.contactRadius_m);
-    m_column->addWidget(m_findings);
-    m_column->addWidget(kit::rule());
+    parts().addWidget(m_findings);
+    parts().addWidget(kit::rule());
     if (cues.bars)
         addBars();
     if (cues.coverage)
@@ -54,20 +49,7 @@ PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const 
         addNumbers();
     if (cues.plots)
         addPlots();
-    if (!cues.bars && !cues.numbers && !cues.plots && !cues.coverage) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
-        none->setObjectName(QStringLiteral("training.no_cues"));
-        m_column->addWidget(none);
-    }
-    if (!cues.plots)
-        m_column->addStretch();
-    addLoopLine(theme, *m_column);
-}
-
-void PalpationPanel::addHead() {
-    m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body, "muted");
-    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
-    m_column->addWidget(m_elapsed, 0, Qt::AlignRight);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots || cues.coverage);
 }
 
 void PalpationPanel::addBars() {
@@ -78,7 +60,7 @@ void PalpationPanel::addBars() {
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(tool));
         bar->setLimit(m_level.maximumForce_N);
         m_force.push_back(bar);
-        m_column->addWidget(bar);
+        parts().addWidget(bar);
     }
     for (int hand = 0; m_level.pinch && hand < m_level.hands; ++hand) {
         const QString name =
@@ -90,22 +72,22 @@ void PalpationPanel::addBars() {
         bar->setObjectName(QStringLiteral("training.squeeze_bar_%1").arg(hand));
         bar->setLimit(m_level.maximumForce_N);
         m_squeeze.push_back(bar);
-        m_column->addWidget(bar);
+        parts().addWidget(bar);
     }
     m_lean = new LeanDial(m_theme, m_locale, tools());
     m_lean->setObjectName(QStringLiteral("training.lean"));
-    m_column->addWidget(m_lean);
+    parts().addWidget(m_lean);
 }
 
 void PalpationPanel::addCoverage() {
     m_coverage = kit::label(m_theme, {}, TextStyle::strong);
     m_coverage->setObjectName(QStringLiteral("training.coverage"));
-    m_column->addWidget(m_coverage);
+    parts().addWidget(m_coverage);
     m_forceMap = new QCheckBox(tr("Force map (M)"));
     m_forceMap->setObjectName(QStringLiteral("training.force_map"));
     m_forceMap->setToolTip(tr(
         "On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched."));
-    m_column->addWidget(m_forceMap);
+    parts().addWidget(m_forceMap);
 }
 
 bool PalpationPanel::showsForceMap() const {
@@ -144,7 +126,7 @@ void PalpationPanel::addNumbers() {
         }
         m_rows.push_back(cells);
     }
-    m_column->addWidget(numbers);
+    parts().addWidget(numbers);
     addDetail(numbers);
 }
 
@@ -152,7 +134,7 @@ LivePlot* PalpationPanel::plot(const char* name, const QString& title, double to
     auto* made = new LivePlot(m_theme, m_locale, title, top, limit);
     made->setObjectName(QLatin1String(name));
     made->setMinimumHeight(m_theme.px(kPlotHeight_px));
-    m_column->addWidget(made, 1);
+    parts().addWidget(made, 1);
     return made;
 }
 
@@ -160,31 +142,32 @@ void PalpationPanel::addPlots() {
     m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"),
                        1.25 * m_level.maximumForce_N, m_level.maximumForce_N);
     if (m_cues.bars)
+        addSpare(m_forcePlot);
+    if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"),
                           kLeanAxis_deg, kLeanLimit_deg);
     if (m_leanPlot)
         addDetail(m_leanPlot); // a detail only, because the dial shows the lean as well
 }
 
-void PalpationPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+void PalpationPanel::showMoving(const haptics::DisplayState& state,
+                                std::span<const session::LiveSample> samples) {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
-    for (const session::LiveSample& sample : samples)
-        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
     if (cues.present)
         m_findings->show(cues);
     m_findings->setRunning(state.phase == core::TrialPhase::running && !state.paused && !state.ended);
     showFingers(state);
     if (m_cues.plots)
         addSamples(state, samples);
-    if (m_frame++ % kNumbersEvery_frames != 0)
-        return;
+}
+
+void PalpationPanel::showReadings(const haptics::DisplayState& state) {
     if (m_cues.numbers)
         showNumbers(state);
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     if (m_coverage)
         m_coverage->setText(
             tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * cues.coverage))));
-    showLoop(state);
-    m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 
 void PalpationPanel::showFingers(const haptics::DisplayState& state) {

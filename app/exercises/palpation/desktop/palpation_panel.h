@@ -10,7 +10,6 @@
 
 class QCheckBox;
 class QLabel;
-class QVBoxLayout;
 
 namespace chiron::desktop {
 
@@ -28,16 +27,19 @@ public:
     PalpationPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                    const simulation::PalpationParameters& level, QWidget* parent = nullptr);
 
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
     FindingsBox& findings() { return *m_findings; }
     bool showsForceMap() const; ///< the live map shows the force, not the coverage
     void switchMap();           ///< between the force map and the coverage map
+
+protected:
+    void showMoving(const haptics::DisplayState& state,
+                    std::span<const session::LiveSample> samples) override;
+    void showReadings(const haptics::DisplayState& state) override;
 
 private:
     struct FingerRow {
         std::array<QLabel*, 3> number{}; ///< displayed force, lean, depth
     };
-    void addHead();
     void addBars();
     void addNumbers();
     void addPlots();
@@ -52,9 +54,7 @@ private:
     QLocale m_locale;
     session::LevelCues m_cues;
     const simulation::PalpationParameters& m_level; ///< owned by the catalogue
-    QVBoxLayout* m_column;
     FindingsBox* m_findings = nullptr;
-    QLabel* m_elapsed = nullptr;
     QLabel* m_coverage = nullptr;
     QCheckBox* m_forceMap = nullptr;
     std::vector<TargetBar*> m_force;
@@ -63,8 +63,6 @@ private:
     std::vector<FingerRow> m_rows;
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_leanPlot = nullptr;
-    std::int64_t m_worked_ms = 0;
-    int m_frame = 0;
 };
 
 } // namespace chiron::desktop

@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/training/finger_control.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 namespace chiron::desktop {
 
@@ -29,9 +30,10 @@ PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveS
 InfoView* PalpationPart::makePanel() {
     m_panel = new PalpationPanel(around().theme, around().locale, around().cues, m_level);
     m_panel->findings().setEnabled(around().ownHand); // a person who only watches reports nothing
-    QObject::connect(
-        &m_panel->findings(), &FindingsBox::reported, m_panel,
-        [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
+    QObject::connect(&m_panel->findings(), &FindingsBox::reported, m_panel,
+                     [report = around().report](simulation::ReportField field, unsigned value) {
+                         report(simulation::reportWord(field, value));
+                     });
     return m_panel;
 }
 
@@ -51,18 +53,32 @@ QString PalpationPart::activeText(int tool) const {
 }
 
 std::vector<ControlHint> PalpationPart::controls() const {
-    return {{Pictogram::moveMouse, GuideTexts::tr("Move"),
-             GuideTexts::tr("Move the mouse, or use the arrow keys.")},
-            {Pictogram::wheelTowards, GuideTexts::tr("Press"),
-             GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, "
-                            "or hold Page Up.")},
-            {Pictogram::leftClick, GuideTexts::tr("Mark a finding"),
-             GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
+    if (around().hand == devices::HandKind::handle)
+        return {{Pictogram::moveStylus, GuideTexts::tr("Move"),
+                 GuideTexts::tr("Take the handle and move it: the finger moves with it.")},
+                {Pictogram::pressStylus, GuideTexts::tr("Press"),
+                 GuideTexts::tr("Push the handle down. To raise the finger, raise the handle.")},
+                {Pictogram::stylusButton, GuideTexts::tr("Mark a finding"),
+                 GuideTexts::tr("Press the button of the handle, or Enter. When nothing is left to report, "
+                                "press D.")}};
+    std::vector<ControlHint> hints{
+        {Pictogram::moveMouse, GuideTexts::tr("Move"),
+         GuideTexts::tr("Move the mouse, or use the arrow keys.")},
+        {Pictogram::wheelTowards, GuideTexts::tr("Press"),
+         GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, "
+                        "or hold Page Up.")},
+        {Pictogram::leftClick, GuideTexts::tr("Mark a finding"),
+         GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
+    if (m_level.hands > 1)
+        hints.push_back({Pictogram::keys, GuideTexts::tr("Change hands"),
+                         GuideTexts::tr("You move one hand at a time. Press H for the other one.")});
+    return hints;
 }
 
 QString PalpationPart::keysText() const {
     const bool rates = m_level.asksSize || m_level.asksHardness || m_level.asksConfidence;
-    return palpationKeysInWords(around().ownHand, m_level.hands, rates, m_level.pinch.has_value());
+    return palpationKeysInWords(around().ownHand, m_level.hands, rates, m_level.pinch.has_value(),
+                                around().hand);
 }
 
 std::vector<int> PalpationPart::keys() const {

@@ -102,18 +102,27 @@ int findingCount(const simulation::PalpationCues& cues) {
                                           [](const simulation::Finding& one) { return one.present; }));
 }
 
-QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) {
+QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches, devices::HandKind hand) {
     if (!ownHand)
         return keysInWords(false);
-    QStringList all{KeyWords::tr(
-        "Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
-        "Mark a finding: click or Enter.")};
+    const bool handle = hand == devices::HandKind::handle;
+    QStringList all{
+        handle
+            ? KeyWords::tr("Move, press and lift: with the handle. Mark a finding: button of the handle or "
+                           "Enter.")
+            : KeyWords::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or "
+                           "Page Down and Page Up. Mark a finding: click or Enter.")};
     if (rates)
         all << KeyWords::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
     if (pinches)
-        all << KeyWords::tr(
-            "Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
+        all << (handle ? KeyWords::tr("Squeeze tissue between the jaws: open the grip in the air, lower it, "
+                                      "close it.")
+                       : KeyWords::tr("Squeeze tissue between the jaws: open them in the air with O, lower "
+                                      "them, close them with G."));
     all << KeyWords::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
+    if (handle)
+        return (all << KeyWords::tr("Space: pause. Esc: stop force. F5: start again."))
+            .join(QLatin1Char(' '));
     all << KeyWords::tr("Use the mouse in the panel: T. A click in the scene brings it back.");
     if (hands > 1)
         all << KeyWords::tr("Other hand: H.");

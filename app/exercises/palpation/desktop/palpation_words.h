@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/exercises/palpation/session_report/finger_words.h"
+#include "devices/driver.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "session_report/tool_words.h"
 
@@ -23,7 +24,8 @@ QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale&
 int findingCount(const simulation::PalpationCues& cues);
 /// keysInWords() of a palpation, including the keys that report findings. `rates`: the level asks for more
 /// than the position.
-QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches = false);
+QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches = false,
+                             devices::HandKind hand = devices::HandKind::mouseAndKeyboard);
 /// The hand that mouse and keyboard move, in words; 0 is the right one.
 QString activeHandInWords(int hand);
 using session_report::fingerName;

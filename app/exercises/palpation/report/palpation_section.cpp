@@ -143,8 +143,7 @@ core::Result<void> PalpationSection::savePictures(const QDir& folder, const Plot
                                                   std::vector<QString>& written) const {
     for (const PalpationTrialReport& trial : m_report.trials) {
         const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));
-        if (auto done = saveMaps(trial, path, theme); !done)
-            return done;
+        CHIRON_TRY(saveMaps(trial, path, theme));
         written.push_back(path);
     }
     return {};

@@ -84,16 +84,28 @@ operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_v
     return briefing;
 }
 
-void addLump(const simulation::TissueSurface& surface, const simulation::Lump& lump,
-             const core::Vec2& place_m, int hardness, const std::string& name,
-             std::vector<scoring::NamedValue>& truth) {
-    const core::Vec3 above = surface.pointAt(place_m);
-    truth.push_back({name + "_x_m", above.x()});
-    truth.push_back({name + "_y_m", above.y()});
-    truth.push_back({name + "_z_m", above.z()});
-    truth.push_back({name + "_depth_m", lump.depth_m});
-    truth.push_back({name + "_radius_m", lump.radius_m});
-    truth.push_back({name + "_hardness", static_cast<double>(hardness)});
+/// `moved`: the research control moved the lumps of this trial.
+scoring::PalpationTruth truthOf(const simulation::PalpationParameters& p,
+                                const simulation::PalpationTrial& planned, bool moved) {
+    const simulation::TissueSurface surface(p.tissue.shape);
+    scoring::PalpationTruth truth;
+    for (int i = 0; i < planned.lumps; ++i) {
+        const simulation::Lump& lump = planned.lump[static_cast<std::size_t>(i)];
+        const core::Vec2 place_m = moved ? simulation::palpationMovedPlace_m(p, lump.place_m) : lump.place_m;
+        truth.lumps.push_back({surface.pointAt(place_m), lump.depth_m, lump.radius_m,
+                               planned.hardness[static_cast<std::size_t>(i)]});
+    }
+    truth.areaHalf_m = p.areaHalf_m;
+    truth.regionColumns = p.regionColumns;
+    truth.regionRows = p.regionRows;
+    truth.hitRadius_m = p.hitRadius_m;
+    truth.bandLow_N = p.bandLow_N;
+    truth.bandHigh_N = p.bandHigh_N;
+    truth.coverForce_N = p.coverForce_N;
+    truth.introduction = planned.introduction;
+    truth.asksSize = p.asksSize;
+    truth.asksHardness = p.asksHardness;
+    return truth;
 }
 
 /// True if the research control moved this trial's lumps; the scene recorded this.
@@ -215,29 +227,7 @@ void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_
     const auto index = static_cast<std::size_t>(trial.trial);
     if (trial.trial < 0 || index >= plan.size())
         return;
-    const simulation::PalpationTrial& planned = plan[index];
-    const simulation::TissueSurface surface(p.tissue.shape);
-    const bool moved = wasMoved(trial);
-    trial.truth = {{"lumps", static_cast<double>(planned.lumps)}};
-    if (planned.introduction)
-        trial.truth.push_back({"introduction", 1.0});
-    for (int i = 0; i < planned.lumps; ++i) {
-        const simulation::Lump& lump = planned.lump[static_cast<std::size_t>(i)];
-        const core::Vec2 place_m = moved ? simulation::palpationMovedPlace_m(p, lump.place_m) : lump.place_m;
-        addLump(surface, lump, place_m, planned.hardness[static_cast<std::size_t>(i)],
-                "lump_" + std::to_string(i), trial.truth);
-    }
-    const std::vector<scoring::NamedValue> ofLevel{{"area_half_x_m", p.areaHalf_m.x()},
-                                                   {"area_half_y_m", p.areaHalf_m.y()},
-                                                   {"region_columns", static_cast<double>(p.regionColumns)},
-                                                   {"region_rows", static_cast<double>(p.regionRows)},
-                                                   {"hit_radius_m", p.hitRadius_m},
-                                                   {"band_low_N", p.bandLow_N},
-                                                   {"band_high_N", p.bandHigh_N},
-                                                   {"cover_force_N", p.coverForce_N},
-                                                   {"asks_size", p.asksSize ? 1.0 : 0.0},
-                                                   {"asks_hardness", p.asksHardness ? 1.0 : 0.0}};
-    trial.truth.insert(trial.truth.end(), ofLevel.begin(), ofLevel.end());
+    trial.truth = scoring::valuesOf(truthOf(p, plan[index], wasMoved(trial)));
 }
 
 std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::ExerciseLevel& level,

@@ -22,11 +22,11 @@ PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, PlaybackM
 /// True if the report started a finding that remained until the end and matched no lump.
 bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
     const int finding = answer.reports[report].finding;
-    if (answer.reports[report].field != core::ReportField::found)
+    if (answer.reports[report].field != simulation::ReportField::found)
         return false;
     for (std::size_t later = report + 1; later < answer.reports.size(); ++later)
         if (answer.reports[later].finding == finding &&
-            answer.reports[later].field == core::ReportField::found)
+            answer.reports[later].field == simulation::ReportField::found)
             return false; // taken back, and its number was reused
     return std::any_of(
         answer.matches.begin(), answer.matches.end(),
@@ -36,11 +36,12 @@ bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
 void addReports(PlaybackTrack& track, const PalpationOutcome& record) {
     for (std::size_t i = 0; i < record.answer.reports.size(); ++i) {
         const scoring::TimedReport& report = record.answer.reports[i];
-        if (report.field != core::ReportField::found && report.field != core::ReportField::remove)
+        if (report.field != simulation::ReportField::found && report.field != simulation::ReportField::remove)
             continue;
-        const PlaybackMarkKind kind = report.field == core::ReportField::remove ? PlaybackMarkKind::takenBack
-                                      : isFalseAlarm(record.answer, i)          ? PlaybackMarkKind::falseAlarm
-                                                                                : PlaybackMarkKind::found;
+        const PlaybackMarkKind kind = report.field == simulation::ReportField::remove
+                                          ? PlaybackMarkKind::takenBack
+                                      : isFalseAlarm(record.answer, i) ? PlaybackMarkKind::falseAlarm
+                                                                       : PlaybackMarkKind::found;
         track.marks.push_back(markAt(track, record.trial, report.t_s, kind));
         track.marks.back().value = report.finding + 1;
     }

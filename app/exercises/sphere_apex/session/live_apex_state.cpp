@@ -27,7 +27,10 @@ constexpr std::uint64_t kSummarySeed = 1; // used only for intervals
 core::Result<void> LiveApex::State::beginSession(Station station) {
     const bool free = tryFor_s > 0.0;
     const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
-    auto made = ApexSessions().level(study.design, *condition, wanted, sessionLabel(study, sealedCode));
+    psychophysics::StudyDesign asked = study.design;
+    if (free)
+        asked.trial.exploreLimit_s = 0.0; // a limit of the trials does not end what is only tried
+    auto made = ApexSessions().level(asked, *condition, wanted, sessionLabel(study, sealedCode));
     CHIRON_TRY(made);
     const std::uint64_t seed =
         core::Random::mix(runSeed,
@@ -137,7 +140,7 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
         view.beside_m = trial.value;
         feedbackSince = Clock::now();
     }
-    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.next().practice;
+    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.practising();
     if (progress.breakDue())
         breakSince = Clock::now();
 }
@@ -196,7 +199,7 @@ void LiveApex::State::sessionEnded() {
     if (!training->result())
         result = tl::unexpected(training->result().error());
     const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
-    // Without any presentation the session was stuck, and another one would be as well.
+    // Without any presentation the session was stuck, and another one would be as well: endedByItself.
     const bool further =
         !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried);
     if (!further)
@@ -226,7 +229,8 @@ void LiveApex::State::conclude() {
     done = true;
     if (!result && result.error().code != core::ErrorCode::wrongUse)
         return; // a trial could not be stored, or a session could not be run
-    LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp()};
+    LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp(),
+                          !progress.done() && !stopping};
     if (ended.completed)
         if (auto closed = finishRun(database, actor, study, run); !closed) {
             result = tl::unexpected(closed.error());
@@ -246,7 +250,7 @@ void LiveApex::State::describe() {
     view.touched = watch->touched() ? 1u : 0u;
     const double limit_s = study.design.trial.exploreLimit_s;
     const double spent_s = watch->clock().exploration_s();
-    view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
+    view.timeLeft_s = running && !tries && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
     view.canAnswer = running && !control.held() && last.paused == 0 &&
                      (watch->touched() || !study.design.trial.mustTouchAll);
     view.breakLeft_s = progress.breakDue()

@@ -3,7 +3,6 @@
 
 #include "desktop/plots/responsive_row.h"
 #include "desktop/training/force_bar.h"
-#include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 #include "desktop/widgets/kit.h"
@@ -17,7 +16,6 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6;        // ten times per second, so that the digits can be read
 constexpr double kAxialTorqueLimit_Nm = 0.010; // about the endoscope's axis: limit of P1's device
 constexpr double kOffsetAxis_mm = 3.0;
 constexpr double kAlignmentAxis_deg = 20.0;
@@ -37,38 +35,22 @@ core::Vec3 vec(const std::array<float, 3>& v) {
 
 InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                                const simulation::UrethraInsertionParameters& parameters, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_gauge(parameters),
-      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m(), parameters.endoscope.beak_m},
-      m_column(new QVBoxLayout(this)) {
-    setProperty("kind", QStringLiteral("card"));
-    m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
-    m_column->setSpacing(theme.px(6));
+    : InfoView(theme, {.edge_px = 8.0, .gap_px = 6.0}, parent), m_theme(theme), m_locale(locale),
+      m_cues(cues), m_gauge(parameters),
+      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m(), parameters.endoscope.beak_m} {
     addStage();
     addForces(parameters);
     if (cues.numbers)
         addNumbers();
     if (cues.plots)
         addPlots(parameters);
-    if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
-        none->setObjectName(QStringLiteral("training.no_cues"));
-        m_column->addWidget(none);
-    }
-    if (!cues.plots)
-        m_column->addStretch();
-    addLoopLine(theme, *m_column);
+    addFoot(cues, cues.bars || cues.numbers || cues.plots);
 }
 
 void InsertionPanel::addStage() {
     m_stage = kit::label(m_theme, stageText({}, m_telling, m_locale), TextStyle::strong);
     m_stage->setObjectName(QStringLiteral("training.stage"));
-    m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
-    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
-    auto* head = new QHBoxLayout;
-    head->setSpacing(m_theme.px(8));
-    head->addWidget(m_stage, 1);
-    head->addWidget(m_elapsed, 0, Qt::AlignTop);
-    m_column->addLayout(head);
+    addHead(m_stage);
     if (m_telling.numbers || m_telling.guidance) {
         m_progress = new QProgressBar;
         m_progress->setObjectName(QStringLiteral("training.stage_progress"));
@@ -78,7 +60,7 @@ void InsertionPanel::addStage() {
         QSizePolicy stays = m_progress->sizePolicy();
         stays.setRetainSizeWhenHidden(true); // so that nothing below it moves when it is hidden
         m_progress->setSizePolicy(stays);
-        m_column->addWidget(m_progress);
+        parts().addWidget(m_progress);
     }
 }
 
@@ -91,8 +73,8 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
         m_lateral = new ForceBar(m_theme, m_locale,
                                  {tr("Force across"), tr("N"), parameters.lateralLimit_N, 2}, m_cues.numbers);
         m_lateral->setObjectName(QStringLiteral("training.lateral_bar"));
-        m_column->addWidget(m_resistance);
-        m_column->addWidget(m_lateral);
+        parts().addWidget(m_resistance);
+        parts().addWidget(m_lateral);
     }
     if (!m_cues.bars && !m_cues.numbers)
         return;
@@ -101,7 +83,7 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
     auto* components = new QWidget;
     auto* column = new QVBoxLayout(components);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(m_column->spacing());
+    column->setSpacing(parts().spacing());
     column->addWidget(
         kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
     addComponents(
@@ -115,7 +97,7 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
                    component("training.torque_y", tr("Ty"), tr("Torque about y"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_z", tr("Tz"), tr("Torque about the endoscope's axis"),
                              tr("mN·m"), kAxialTorqueLimit_Nm * 1e3, 1)});
-    m_column->addWidget(components);
+    parts().addWidget(components);
     addDetail(components);
 }
 
@@ -144,7 +126,7 @@ void InsertionPanel::addNumbers() {
         grid->setContentsMargins(0, 0, 0, 0);
         grid->setHorizontalSpacing(m_theme.px(8));
         grid->setVerticalSpacing(0);
-        m_column->addWidget(box);
+        parts().addWidget(box);
         return grid;
     };
     QGridLayout* tip = row();
@@ -188,29 +170,29 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
         auto* row = new ResponsiveRow(m_theme.px(kPlotsSideBySide_px), m_theme.px(8));
         row->add(left);
         row->add(right);
-        m_column->addWidget(row, 1);
+        parts().addWidget(row, 1);
         return row;
     };
-    pair(m_forcePlot, m_offsetPlot);
+    QWidget* first = pair(m_forcePlot, m_offsetPlot);
+    if (m_cues.bars && m_cues.numbers)
+        addSpare(first);
     addDetail(pair(m_lateralPlot, m_alignmentPlot));
 }
 
-void InsertionPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
-    for (const session::LiveSample& sample : samples)
-        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
+void InsertionPanel::showMoving(const haptics::DisplayState& state,
+                                std::span<const session::LiveSample> samples) {
     const haptics::ToolDisplay& tool = state.tool[0];
     const core::Quat q_WT(tool.q_WT[0], tool.q_WT[1], tool.q_WT[2], tool.q_WT[3]);
-    const InsertionValues values = m_gauge.at(vec(tool.p_WT_m), q_WT, core::toWrench(tool.tissue));
-    showForces(values);
+    m_values = m_gauge.at(vec(tool.p_WT_m), q_WT, core::toWrench(tool.tissue));
+    showForces();
     if (m_forcePlot)
         addSamples(samples);
-    if (m_frame++ % kNumbersEvery_frames != 0)
-        return;
+}
+
+void InsertionPanel::showReadings(const haptics::DisplayState& state) {
     showStage(state.exercise.of<simulation::EndoscopeCues>());
     if (m_cues.numbers)
-        showNumbers(values);
-    showLoop(state);
-    m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
+        showNumbers();
 }
 
 void InsertionPanel::showStage(const simulation::EndoscopeCues& cues) {
@@ -222,21 +204,21 @@ void InsertionPanel::showStage(const simulation::EndoscopeCues& cues) {
     m_progress->setValue(qRound(100.0 * part));
 }
 
-void InsertionPanel::showForces(const InsertionValues& values) {
+void InsertionPanel::showForces() {
     if (m_resistance) {
-        m_resistance->setValue(std::max(0.0, values.resistance_N));
-        m_lateral->setValue(values.lateral_N);
+        m_resistance->setValue(std::max(0.0, m_values.resistance_N));
+        m_lateral->setValue(m_values.lateral_N);
     }
     for (int i = 0; i < 3 && m_force[0]; ++i) {
-        m_force[static_cast<std::size_t>(i)]->setValue(values.force_A_N[i]);
-        m_torque[static_cast<std::size_t>(i)]->setValue(values.torque_Nm[i] * 1e3);
+        m_force[static_cast<std::size_t>(i)]->setValue(m_values.force_A_N[i]);
+        m_torque[static_cast<std::size_t>(i)]->setValue(m_values.torque_Nm[i] * 1e3);
     }
 }
 
-void InsertionPanel::showNumbers(const InsertionValues& values) {
-    const std::array<double, 6> numbers{values.tip_A_m.x() * 1e3, values.tip_A_m.y() * 1e3,
-                                        values.tip_A_m.z() * 1e3, values.depth_m * 1e3,
-                                        values.offset_m * 1e3,    values.alignment_rad * kDegrees};
+void InsertionPanel::showNumbers() {
+    const std::array<double, 6> numbers{m_values.tip_A_m.x() * 1e3, m_values.tip_A_m.y() * 1e3,
+                                        m_values.tip_A_m.z() * 1e3, m_values.depth_m * 1e3,
+                                        m_values.offset_m * 1e3,    m_values.alignment_rad * kDegrees};
     for (std::size_t i = 0; i < numbers.size(); ++i)
         // Adding 0 removes the minus sign of -0.0.
         m_numbers[i]->setText(m_locale.toString(std::round(numbers[i] * 10.0) / 10.0 + 0.0, 'f', 1));

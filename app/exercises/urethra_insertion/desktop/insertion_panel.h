@@ -27,7 +27,10 @@ public:
     InsertionPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                    const simulation::UrethraInsertionParameters& parameters, QWidget* parent = nullptr);
 
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
+protected:
+    void showMoving(const haptics::DisplayState& state,
+                    std::span<const session::LiveSample> samples) override;
+    void showReadings(const haptics::DisplayState& state) override;
 
 private:
     void addStage();
@@ -41,18 +44,17 @@ private:
     LivePlot* plot(const char* name, const QString& title, double top, std::optional<double> limit = {});
 
     void showStage(const simulation::EndoscopeCues& cues);
-    void showForces(const InsertionValues& values);
-    void showNumbers(const InsertionValues& values);
+    void showForces();
+    void showNumbers();
     void addSamples(std::span<const session::LiveSample> samples);
 
     const Theme& m_theme;
     QLocale m_locale;
     session::LevelCues m_cues;
     InsertionGauge m_gauge;
+    InsertionValues m_values; ///< of this frame
     StageTelling m_telling;
-    QVBoxLayout* m_column;
     QLabel* m_stage = nullptr;
-    QLabel* m_elapsed = nullptr;
     QProgressBar* m_progress = nullptr;
     ForceBar* m_resistance = nullptr;
     ForceBar* m_lateral = nullptr;
@@ -63,8 +65,6 @@ private:
     LivePlot* m_lateralPlot = nullptr;
     LivePlot* m_offsetPlot = nullptr;
     LivePlot* m_alignmentPlot = nullptr;
-    std::int64_t m_worked_ms = 0;
-    int m_frame = 0;
 };
 
 } // namespace chiron::desktop

@@ -8,6 +8,7 @@
 #include "app/exercises/urethra_insertion/desktop/urethra_picture.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/debrief/part_widgets.h"
+#include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
@@ -124,6 +125,14 @@ QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& lev
     facts << viewText(level.cues) << depthOfFieldText(p);
     facts << LevelFactTexts::tr("Time: %1 s at most").arg(locale.toString(qRound(p.trialLimit_s)));
     return facts;
+}
+
+QStringList UrethraInsertionFace::limitWords(const session::LevelLimits& limits,
+                                             const QLocale& locale) const {
+    QStringList words;
+    if (const auto lateral_N = limits.of("lateral_max"))
+        words << GateTexts::tr("Force across the canal: %1 N at most").arg(factNumber(*lateral_N, locale));
+    return words;
 }
 
 std::optional<DepthOfField> UrethraInsertionFace::depthOfField(const catalogue::ExerciseLevel& level) const {

@@ -127,8 +127,10 @@ void FlatProfile::paint(QPainter& painter, const QRectF& room, const SceneState&
         paintShaft(painter, panel, state.ghost, true);
     if (shown.present)
         paintShaft(painter, panel, shown, false);
+    FlatTools tools(painter, panel, m_setup);
     if (m_setup.cues.arrow && tool.present)
-        FlatTools(painter, panel, m_setup).paintArrow(tool);
+        tools.paintArrow(tool);
+    tools.paintYields(state);
     painter.restore();
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_setup.colours.ink, m_setup.scale));

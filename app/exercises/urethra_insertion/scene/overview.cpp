@@ -33,7 +33,8 @@ Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph
       m_tip(new Qt3DRender::QParameter(QStringLiteral("tip"), QVector4D(0, 0, -1, -1), root)),
       m_ahead(new Qt3DRender::QParameter(QStringLiteral("ahead"), QVector4D(0, 0, 1, 1), root)),
       m_anchored(new Qt3DRender::QParameter(QStringLiteral("anchored"), QVector4D(0, 0, 1, 2), root)),
-      m_ghostTint(tintOf(root)), m_arrow(new ForceArrow(light, root)) {
+      m_ghostTint(tintOf(root)), m_arrow(new ForceArrow(light, root)),
+      m_yields(light, graph.outsideOver(), root) {
     const simulation::AnatomyPose& pose = model.drawing().parameters().pose;
     for (bool glass : {false, true}) {
         auto* anatomy = new Qt3DCore::QEntity(root);
@@ -94,6 +95,7 @@ void Overview::change(const SceneSetup& setup) {
     m_ground->setValue(toTint(setup.colours.field));
     m_ghostTint->setValue(toTint(setup.colours.ghost, 0.38F));
     m_arrow->change(setup);
+    m_yields.change(setup);
     m_graph.setOverviewShown(setup.cues.overview);
 }
 
@@ -134,6 +136,7 @@ void Overview::show(const SceneState& state) {
     tool.present = tool.present && m_toolShown;
     showScope(m_scope, m_pose, tool);
     showScope(m_ghost, m_ghostPose, state.ghost);
+    m_yields.show(state);
 }
 
 void Overview::place(const QRect& overview) {

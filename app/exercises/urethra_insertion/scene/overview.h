@@ -5,11 +5,13 @@
 #include "app/exercises/urethra_insertion/scene/urethra_model.h"
 #include "desktop/scene3d/plugin/force_arrow.h"
 #include "desktop/scene3d/plugin/shared_light.h"
+#include "desktop/scene3d/plugin/yield_marks.h"
 
 namespace chiron::scene3d {
 
 /// The second picture, from outside: the canal and the bladder cut open (the near half is translucent), shaft
-/// and tip, the other session's shaft, and the force on the tip as an arrow.
+/// and tip, the other session's shaft, the force on the tip as an arrow, and in playback the places where the
+/// wall gave way.
 class Overview {
 public:
     Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph& graph, Qt3DCore::QEntity* root);
@@ -40,6 +42,7 @@ private:
     Qt3DCore::QTransform* m_glans[2];
     Qt3DRender::QParameter* m_ghostTint;
     ForceArrow* m_arrow;
+    YieldMarks m_yields;
     bool m_toolShown = true;
 };
 

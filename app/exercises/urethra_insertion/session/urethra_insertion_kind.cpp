@@ -88,9 +88,8 @@ double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level)
     return parametersOf(level).maximumForce_N;
 }
 
-std::vector<std::pair<std::string_view, double>>
-UrethraInsertionKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
-    return {{"lateral_max", parametersOf(level).lateralLimit_N}};
+std::vector<LimitedMetric> UrethraInsertionKind::limitedMetrics(const catalogue::ExerciseLevel& level) const {
+    return {{.metric = "lateral_max", .own = parametersOf(level).lateralLimit_N}};
 }
 
 double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& level) const {
@@ -120,8 +119,7 @@ core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup,
         std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
             return metric.id == "critical_errors" && metric.version >= scoring::kCriticalSpansCountFrom;
         });
-    if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
-        return done;
+    CHIRON_TRY(addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical));
     addInsertion(track, *trace);
     return {};
 }
@@ -189,6 +187,12 @@ std::vector<MomentRule> UrethraInsertionKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "trauma_*", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
             {.metric = "lateral_max", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
+            // A trauma that lasted too long or was too hard, where no tissue gave way.
+            {.metric = "critical_errors",
+             .by = MomentRule::By::largestMark,
+             .marks = {trauma},
+             .unit = "N",
+             .onlyCritical = true},
             {.metric = "reversals",
              .by = MomentRule::By::largestMark,
              .marks = {reversal},

@@ -23,8 +23,7 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
-    std::vector<std::pair<std::string_view, double>>
-    otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
     double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry, so that

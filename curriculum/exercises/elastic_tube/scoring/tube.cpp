@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/elastic_tube/scoring/tube_metrics.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
+#include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"
 #include "scoring/metrics/recorded_values.h"
@@ -24,13 +25,13 @@ namespace {
 /// Returns the reason why there is nothing to measure if any trial lacks what the metric reads: a session's
 /// value must not silently leave trials out. Returns none if nothing is missing.
 std::optional<Measurement> withoutTube(std::span<const PreparedTrial> trials, std::string_view quantity,
-                                       std::string_view truth = {}) {
+                                       std::optional<double> TubeTruth::*truth = nullptr) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
     for (const PreparedTrial& trial : trials) {
         if (quantityOf(trial, quantity) == nullptr || quantityOf(trial, "step") == nullptr)
             return Measurement::undefined(UndefinedReason::noTubeData);
-        if (!truth.empty() && !truthOf(trial, truth))
+        if (truth != nullptr && !(tubeTruthIn(*trial.trial).*truth))
             return Measurement::undefined(UndefinedReason::noSuchTarget);
     }
     return std::nullopt;
@@ -65,11 +66,12 @@ std::vector<std::size_t> tubeHold(const PreparedTrial& trial, TubeHolds meant) {
     return hold;
 }
 
-/// Calls visit(error) with tension − target, N, for each sample of the holds of each trial.
+/// Calls visit(error) with tension − target, N, for each sample of the holds of each trial. Requires that
+/// withoutTube() finds tension and target.
 template <class Visit> void forEachTensionError(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials) {
         const std::vector<double>& tension = quantityOf(trial, "tension_N")->values;
-        const double target_N = *truthOf(trial, "target_N");
+        const double target_N = *tubeTruthIn(*trial.trial).target_N;
         for (const std::size_t i : tubeHold(trial, TubeHolds::all))
             visit(tension[i] - target_N);
     }
@@ -95,15 +97,17 @@ std::vector<std::size_t> sinceFoldOpened(const PreparedTrial& trial) {
 std::optional<Measurement> withoutFold(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N"))
         return why;
-    for (const PreparedTrial& trial : trials)
-        if (!quantityOf(trial, "retraction_N") || !quantityOf(trial, "fold_open") ||
-            !truthOf(trial, "retraction_low_N") || !truthOf(trial, "retraction_high_N"))
+    for (const PreparedTrial& trial : trials) {
+        const TubeTruth truth = tubeTruthIn(*trial.trial);
+        if (!quantityOf(trial, "retraction_N") || !quantityOf(trial, "fold_open") || !truth.retractionLow_N ||
+            !truth.retractionHigh_N)
             return Measurement::undefined(UndefinedReason::noSuchTarget);
+    }
     return std::nullopt;
 }
 
 Measurement measureTensionErrorRms(std::span<const PreparedTrial> trials) {
-    if (auto why = withoutTube(trials, "tension_N", "target_N"))
+    if (auto why = withoutTube(trials, "tension_N", &TubeTruth::target_N))
         return *why;
     double squares = 0.0;
     std::size_t samples = 0;
@@ -115,7 +119,7 @@ Measurement measureTensionErrorRms(std::span<const PreparedTrial> trials) {
 }
 
 Measurement measureTensionErrorSd(std::span<const PreparedTrial> trials) {
-    if (auto why = withoutTube(trials, "tension_N", "target_N"))
+    if (auto why = withoutTube(trials, "tension_N", &TubeTruth::target_N))
         return *why;
     double squares = 0.0;
     std::size_t samples = 0;
@@ -145,9 +149,10 @@ struct Band {
 };
 
 std::optional<Band> bandOf(const PreparedTrial& trial) {
-    const bool mark = truthOf(trial, "mark_m").has_value();
-    const auto middle = truthOf(trial, mark ? "mark_m" : "target_N");
-    const auto half = truthOf(trial, mark ? "mark_tolerance_m" : "band_N");
+    const TubeTruth truth = tubeTruthIn(*trial.trial);
+    const bool mark = truth.mark_m.has_value();
+    const auto middle = mark ? truth.mark_m : truth.target_N;
+    const auto half = mark ? truth.markTolerance_m : truth.band_N;
     const QuantityTrace* held = quantityOf(trial, mark ? "stretch_m" : "tension_N");
     if (!middle || !half || held == nullptr)
         return std::nullopt;
@@ -183,8 +188,8 @@ Measurement measureRetractionTimeInBand(std::span<const PreparedTrial> trials) {
     double shares = 0.0;
     for (const PreparedTrial& trial : trials) {
         const std::vector<double>& pull = quantityOf(trial, "retraction_N")->values;
-        const double low_N = *truthOf(trial, "retraction_low_N"),
-                     high_N = *truthOf(trial, "retraction_high_N");
+        const TubeTruth truth = tubeTruthIn(*trial.trial);
+        const double low_N = *truth.retractionLow_N, high_N = *truth.retractionHigh_N;
         const std::vector<std::size_t> since = sinceFoldOpened(trial);
         std::size_t within = 0;
         for (const std::size_t i : since)
@@ -211,7 +216,7 @@ constexpr double kRearmShare = 0.8; // models.md §6
 
 std::size_t overStretches(const PreparedTrial& trial) {
     const std::vector<double>& stretch = quantityOf(trial, "stretch_m")->values;
-    const double limit_m = *truthOf(trial, "over_stretch_m");
+    const double limit_m = *tubeTruthIn(*trial.trial).overStretch_m;
     std::size_t count = 0;
     bool armed = true;
     for (std::size_t i = 0; i < stretch.size(); ++i) {
@@ -228,7 +233,7 @@ std::size_t overStretches(const PreparedTrial& trial) {
 }
 
 Measurement measureOverStretches(std::span<const PreparedTrial> trials) {
-    if (auto why = withoutTube(trials, "stretch_m", "over_stretch_m"))
+    if (auto why = withoutTube(trials, "stretch_m", &TubeTruth::overStretch_m))
         return *why;
     std::size_t count = 0;
     for (const PreparedTrial& trial : trials)

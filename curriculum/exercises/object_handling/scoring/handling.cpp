@@ -34,7 +34,7 @@ Measurement measureSqueezeTimeOverLimit(std::span<const PreparedTrial> trials) {
         const QuantityTrace* squeeze = quantityOf(trial, "squeeze_N");
         if (squeeze == nullptr)
             return Measurement::undefined(UndefinedReason::noSqueeze);
-        const auto limit_N = truthOf(trial, "squeeze_limit_N");
+        const auto limit_N = handlingTruthIn(*trial.trial).squeezeLimit_N;
         if (!limit_N)
             return Measurement::undefined(UndefinedReason::noSqueezeLimit);
         const std::vector<double>& t_s = trial.tool->t_s;
@@ -58,21 +58,20 @@ Measurement measurePlacementError(std::span<const PreparedTrial> trials) {
     return Measurement::of(core::mmFromM(sum_m / static_cast<double>(trials.size())));
 }
 
-constexpr double kWeigh = 1.0; ///< truth "task": simulation::HandlingTask::weigh
+constexpr int kWeigh = 1; ///< HandlingTruth::task: simulation::HandlingTask::weigh
 
 Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
     std::size_t correct = 0;
     for (const PreparedTrial& trial : trials) {
-        const auto heaviest = truthOf(trial, "heaviest");
-        if (truthOf(trial, "task") != kWeigh || !heaviest)
+        const HandlingTruth truth = handlingTruthIn(*trial.trial);
+        if (truth.task != kWeigh || !truth.heaviest)
             return Measurement::undefined(UndefinedReason::noWeighing);
         const auto placed = answerOf(trial);
         if (!placed)
             return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
-        correct +=
-            trial.trial->completed && placed->taken && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
+        correct += trial.trial->completed && placed->taken && placed->number == *truth.heaviest ? 1 : 0;
     }
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));
 }
@@ -83,10 +82,10 @@ Measurement measureWeighingCorrectByChance(std::span<const PreparedTrial> trials
         return Measurement::undefined(UndefinedReason::noTrials);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
-        const auto objects = truthOf(trial, "objects");
-        if (!truthOf(trial, "heaviest") || !objects || !(*objects >= 1.0))
+        const HandlingTruth truth = handlingTruthIn(*trial.trial);
+        if (!truth.heaviest || truth.objects.value_or(0) < 1)
             return Measurement::undefined(UndefinedReason::noWeighing);
-        sum += 1.0 / *objects;
+        sum += 1.0 / *truth.objects;
     }
     return Measurement::of(100.0 * sum / static_cast<double>(trials.size()));
 }
@@ -147,7 +146,7 @@ std::vector<MetricDefinition> handlingMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Heaviest found by chance"),
               .meaning =
-                  QT_TRANSLATE_NOOP("Metrics", "How often somebody who feels nothing would choose the "
+                  QT_TRANSLATE_NOOP("Metrics", "How often somebody who perceives nothing would choose the "
                                                "heaviest object. A share that is not larger shows no skill."),
               .definition = "weighing_correct of one who chooses without feeling: 100/n of n objects, the "
                             "mean over the trials.",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "curriculum/exercises/object_handling/scoring/handling_truth.h"
 #include "scoring/metrics/recorded_values.h"
 
 #include <algorithm>
@@ -24,15 +25,14 @@ struct PlacedObject {
 
 /// Returns how far object `number` lies from the target at the trial's last sample, or none if the trace does
 /// not record it.
-inline std::optional<double> fromTarget_m(const PreparedTrial& trial, int number) {
-    const auto x_m = truthOf(trial, "target_x_m");
-    const auto y_m = truthOf(trial, "target_y_m");
+inline std::optional<double> fromTarget_m(const PreparedTrial& trial, const HandlingTruth& truth,
+                                          int number) {
     const std::string body = "body_" + std::to_string(number);
     const QuantityTrace* bodyX = quantityOf(trial, body + "_x_m");
     const QuantityTrace* bodyY = quantityOf(trial, body + "_y_m");
-    if (!x_m || !y_m || bodyX == nullptr || bodyY == nullptr || bodyX->values.empty())
+    if (!truth.targetX_m || !truth.targetY_m || bodyX == nullptr || bodyY == nullptr || bodyX->values.empty())
         return std::nullopt;
-    return std::hypot(bodyX->values.back() - *x_m, bodyY->values.back() - *y_m);
+    return std::hypot(bodyX->values.back() - *truth.targetX_m, bodyY->values.back() - *truth.targetY_m);
 }
 
 /// Returns the object that was held last in the trial (recorded `held`: its number + 1), or none.
@@ -47,18 +47,18 @@ inline std::optional<int> lastHeld(const QuantityTrace& held) {
 /// target. If no object was ever held, it is the object nearest to the target. Returns none if the trace does
 /// not record it.
 inline std::optional<PlacedObject> answerOf(const PreparedTrial& trial) {
-    const auto objects = truthOf(trial, "objects");
+    const HandlingTruth truth = handlingTruthIn(*trial.trial);
     const QuantityTrace* held = quantityOf(trial, "held");
-    if (!objects || held == nullptr)
+    if (!truth.objects || held == nullptr)
         return std::nullopt;
     if (const auto number = lastHeld(*held)) {
-        const auto away_m = fromTarget_m(trial, *number);
+        const auto away_m = fromTarget_m(trial, truth, *number);
         return away_m ? std::optional(PlacedObject{*number, *away_m, true}) : std::nullopt;
     }
     PlacedObject nearest;
     nearest.taken = false;
-    for (int i = 0; i < static_cast<int>(*objects); ++i) {
-        const auto away_m = fromTarget_m(trial, i);
+    for (int i = 0; i < *truth.objects; ++i) {
+        const auto away_m = fromTarget_m(trial, truth, i);
         if (!away_m)
             return std::nullopt;
         if (*away_m < nearest.fromTarget_m)

@@ -38,13 +38,13 @@ std::optional<int> whole(double value, int low, int high) {
 
 std::optional<TimedReport> reportAt(const Columns& columns, std::size_t i, double t_s) {
     const auto at = [&](std::size_t column) { return (*columns[column])[i]; };
-    const auto field = whole(at(1), 0, static_cast<int>(core::ReportField::done));
-    const auto value = whole(at(3), 0, core::kReportValueMask);
+    const auto field = whole(at(1), 0, static_cast<int>(simulation::ReportField::done));
+    const auto value = whole(at(3), 0, simulation::kReportValueMask);
     if (!field || !value)
         return std::nullopt;
-    TimedReport report{t_s, static_cast<core::ReportField>(*field), simulation::FindingsBook::kNone,
+    TimedReport report{t_s, static_cast<simulation::ReportField>(*field), simulation::FindingsBook::kNone,
                        static_cast<unsigned>(*value), core::Vec3(at(4), at(5), at(6))};
-    if (report.field == core::ReportField::done)
+    if (report.field == simulation::ReportField::done)
         return report;
     const auto finding = whole(at(2), 0, static_cast<int>(simulation::kMaxFindings) - 1);
     if (!finding || !report.place_W.allFinite())
@@ -55,21 +55,21 @@ std::optional<TimedReport> reportAt(const Columns& columns, std::size_t i, doubl
 
 void take(simulation::FindingsBook& book, const TimedReport& report) {
     switch (report.field) {
-    case core::ReportField::found:
+    case simulation::ReportField::found:
         book.place(report.finding, {report.place_W.x(), report.place_W.y(), report.place_W.z()});
         return;
-    case core::ReportField::remove:
+    case simulation::ReportField::remove:
         book.remove(report.finding);
         return;
-    case core::ReportField::select:
-        book.report(core::ReportField::select, static_cast<unsigned>(report.finding));
+    case simulation::ReportField::select:
+        book.report(simulation::ReportField::select, static_cast<unsigned>(report.finding));
         return;
-    case core::ReportField::done:
-        book.report(core::ReportField::done, 0);
+    case simulation::ReportField::done:
+        book.report(simulation::ReportField::done, 0);
         return;
-    case core::ReportField::size:
-    case core::ReportField::hardness:
-    case core::ReportField::confidence:
+    case simulation::ReportField::size:
+    case simulation::ReportField::hardness:
+    case simulation::ReportField::confidence:
         book.rate(report.finding, report.field, report.value);
         return;
     }

@@ -15,7 +15,7 @@ namespace chiron::scoring {
 /// One report as it is recorded.
 struct TimedReport {
     double t_s = 0.0; ///< time of the trace
-    core::ReportField field = core::ReportField::found;
+    simulation::ReportField field = simulation::ReportField::found;
     int finding = simulation::FindingsBook::kNone; ///< the finding that it is about
     unsigned value = 0;                            ///< as encoded in the report word
     core::Vec3 place_W = core::Vec3::Zero();       ///< of the finding, on the surface, m

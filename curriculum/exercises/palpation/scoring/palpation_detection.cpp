@@ -185,17 +185,17 @@ std::vector<MetricDefinition> palpationDetectionMetrics() {
                              "pressed harder than the limit is not found; "
                              "absent below 20 of either kind.",
                .measure = measurePalpationDPrime2});
-    rows.add(
-        {.id = "palpation_d_prime_low",
-         .unit = "",
-         .direction = Direction::neutral,
-         .aggregate = Aggregate::pooled,
-         .title = QT_TRANSLATE_NOOP("Metrics", "Sensitivity, lower bound"),
-         .meaning = QT_TRANSLATE_NOOP("Metrics", "The lower end of the 95 % interval of the sensitivity. "
-                                                 "Below 0 the session does not show that anything was felt."),
-         .definition = "The lower end of the 95 % interval of palpation_d_prime 2, by the delta method.",
-         .source = "Gourevitch & Galanter 1967; Macmillan & Creelman 2005, eq. 13.4",
-         .measure = measurePalpationDPrimeLow});
+    rows.add({.id = "palpation_d_prime_low",
+              .unit = "",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Sensitivity, lower bound"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics",
+                                           "The lower end of the 95 % interval of the sensitivity. "
+                                           "Below 0 the session does not show that any lump was perceived."),
+              .definition = "The lower end of the 95 % interval of palpation_d_prime 2, by the delta method.",
+              .source = "Gourevitch & Galanter 1967; Macmillan & Creelman 2005, eq. 13.4",
+              .measure = measurePalpationDPrimeLow});
     rows.add(
         {.id = "palpation_d_prime_high",
          .unit = "",

@@ -200,19 +200,20 @@ std::vector<MetricDefinition> palpationFindingsMetrics() {
               .source = "models.md §6; our definition",
               .chance = {.metric = "size_error_by_chance"},
               .measure = measureSizeError});
-    rows.add(
-        {.id = "size_error_by_chance",
-         .unit = "mm",
-         .direction = Direction::neutral,
-         .aggregate = Aggregate::pooled,
-         .title = QT_TRANSLATE_NOOP("Metrics", "Size error by chance"),
-         .meaning = QT_TRANSLATE_NOOP("Metrics", "The size error of somebody who feels nothing and always "
-                                                 "states the middle size. A size error that is not smaller "
-                                                 "shows no skill."),
-         .definition = "size_error of one who says the median of the true radii of every lump whose size was "
-                       "said: what feeling nothing gives.",
-         .source = "our definition",
-         .measure = measureSizeErrorByChance});
+    rows.add({.id = "size_error_by_chance",
+              .unit = "mm",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Size error by chance"),
+              .meaning =
+                  QT_TRANSLATE_NOOP("Metrics", "The size error of somebody who perceives nothing and always "
+                                               "states the middle size. A size error that is not smaller "
+                                               "shows no skill."),
+              .definition =
+                  "size_error of one who says the median of the true radii of every lump whose size was "
+                  "said: what feeling nothing gives.",
+              .source = "our definition",
+              .measure = measureSizeErrorByChance});
     rows.next({.definition = "size_error of one who says the median of the true radii of all lumps that were "
                              "there: what feeling nothing gives.",
                .measure = measureSizeErrorByChance2});

@@ -32,13 +32,12 @@ Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
     double pressing_s = 0.0;
     double inBand_s = 0.0;
     for (const PreparedTrial& trial : trials) {
-        const auto low_N = truthOf(trial, "band_low_N");
-        const auto high_N = truthOf(trial, "band_high_N");
-        if (!low_N || !high_N)
+        const PalpationBand band = palpationBandOf(trial.trial->truth);
+        if (!band.low_N || !band.high_N)
             return Measurement::undefined(UndefinedReason::noForceBand);
         forEachPress(trial, [&](double force_N, double begin_s, double end_s) {
             pressing_s += end_s - begin_s;
-            inBand_s += force_N >= *low_N && force_N <= *high_N ? end_s - begin_s : 0.0;
+            inBand_s += force_N >= *band.low_N && force_N <= *band.high_N ? end_s - begin_s : 0.0;
         });
     }
     return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s)
@@ -78,7 +77,7 @@ Measurement measurePressingTime(std::span<const PreparedTrial> trials) {
 
 double doneAt_s(const std::vector<TimedReport>& reports) {
     for (const TimedReport& report : reports)
-        if (report.field == core::ReportField::done)
+        if (report.field == simulation::ReportField::done)
             return report.t_s;
     return std::numeric_limits<double>::infinity();
 }

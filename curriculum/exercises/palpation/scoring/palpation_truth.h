@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "core/result.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "scoring/trace.h"
 
@@ -17,6 +18,13 @@ struct LumpTruth {
     double depth_m = 0.0;                    ///< of its centre
     double radius_m = 0.0;
     int hardness = 0; ///< correct answer, 1..5; 0: not recorded
+};
+
+/// The force band of a trial, which a trace may record without the rest of the truth. Empty where it does
+/// not.
+struct PalpationBand {
+    std::optional<double> low_N;
+    std::optional<double> high_N;
 };
 
 /// The truth of one palpation trial (TrialTrace::truth). Area and regions: |x| ≤ half.x, |y| ≤ half.y around
@@ -36,8 +44,14 @@ struct PalpationTruth {
     bool asksHardness = false;
 };
 
-/// Returns none if the trace does not record all of it (the band, the cover force and the questions asked may
-/// be missing) or records impossible values.
-std::optional<PalpationTruth> palpationTruthOf(std::span<const NamedValue> truth);
+/// Reads the truth from the named values of a trial. The band, the cover force and the questions asked may be
+/// missing.
+/// Errors: badInput naming the field that is missing or impossible.
+core::Result<PalpationTruth> palpationTruthOf(std::span<const NamedValue> values);
+/// The band alone.
+PalpationBand palpationBandOf(std::span<const NamedValue> values);
+/// The named values of the truth, in the order in which they are stored and exported. The inverse of
+/// palpationTruthOf().
+std::vector<NamedValue> valuesOf(const PalpationTruth& truth);
 
 } // namespace chiron::scoring

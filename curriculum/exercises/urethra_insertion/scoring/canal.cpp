@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/urethra_insertion/scoring/canal_metrics.h"
 
-#include "core/canal_reach.h"
 #include "core/units.h"
 #include "curriculum/exercises/urethra_insertion/scoring/canal_samples.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "modules/exercises/urethra_insertion/cues/canal_reach.h"
 #include "scoring/metrics/metric_rows.h"
 
 #include <algorithm>
@@ -247,7 +247,7 @@ Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         double deepest_m = 0.0; // stays 0 if the tip never entered
         forEachCanalSample({&trial, 1}, [&](const InsertionSeries& series, std::size_t i) {
-            if (series.offset_m[i] <= core::kCanalReach_m) // a tip beside the canal is not in it
+            if (series.offset_m[i] <= simulation::kCanalReach_m) // a tip beside the canal is not in it
                 deepest_m = std::max(deepest_m, std::min(series.s_m[i], series.goal_m));
         });
         sum_mm += std::nearbyint(deepest_m * 1e9) / 1e6; // rounded, so that a gate at the goal is met

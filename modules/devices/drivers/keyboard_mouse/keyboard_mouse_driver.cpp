@@ -116,6 +116,7 @@ const Driver kKeyboardMouseDriver{
     .open = openPointers,
     .name = QT_TRANSLATE_NOOP("Drivers", "Mouse and keyboard"),
     .readiness = QT_TRANSLATE_NOOP("Drivers", "Ready. Moves the tool with a pointer or with keys."),
+    .hand = HandKind::mouseAndKeyboard,
 };
 
 } // namespace chiron::devices

@@ -24,15 +24,15 @@ public:
         std::uint64_t seed = 1;           ///< seed of the hand's tremor
         /// Jaw of a grasper; empty: a plain probe.
         std::optional<mechanisms::JawParameters> jaw = std::nullopt;
-        /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified
-        /// when the device is made (mechanisms/friction_identification.h), as a lab does it, and not taken
-        /// from `plant`.
+        /// Share of the Coulomb friction that is fed forward (P2), 0..kMostFrictionCompensation. Above 0 the
+        /// friction is identified when the device is made (mechanisms/friction_identification.h), as a lab
+        /// does it, and not taken from `plant`.
         double frictionCompensation = 0.0;
     };
 
     /// Creates the device.
-    /// Errors: badInput if the start lies outside the gimbal's travel, a number of the jaw is out of range,
-    /// or there is no strategy.
+    /// Errors: badInput if the start lies outside the gimbal's travel, a number of the jaw or the
+    /// compensation is out of range, or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedDevice() override;

@@ -11,6 +11,7 @@
 #include "devices/drivers/simulated/simulated_second_finger.h"
 
 #include <algorithm>
+#include <any>
 
 namespace chiron::devices {
 
@@ -20,6 +21,19 @@ using Tools = core::Result<std::vector<DriverTool>>;
 /// Each hand has a tremor of its own; the first hand has that of a single hand.
 std::uint64_t seedOfHand(std::uint64_t seed, std::size_t hand) {
     return hand == 0 ? seed : core::Random::mix(seed, "hand " + std::to_string(hand));
+}
+
+/// Takes the true parameters of the request, if it has any.
+/// Errors: wrongUse if they are those of another mechanism.
+template <class Plant> core::Result<void> takePlant(const DriverRequest& request, Plant& plant) {
+    if (!request.plant.has_value())
+        return {};
+    const Plant* given = std::any_cast<Plant>(&request.plant);
+    if (!given)
+        return core::fail(core::ErrorCode::wrongUse, "simulated mechanism \"" + request.mechanism +
+                                                         "\": parameters of another mechanism were given");
+    plant = *given;
+    return {};
 }
 
 /// Makes one device for each hand.
@@ -40,8 +54,7 @@ Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& re
 
 Tools makeGimbals(DriverRequest& request) {
     SimulatedDevice::Configuration configuration;
-    if (request.gimbal)
-        configuration.plant = *request.gimbal;
+    CHIRON_TRY(takePlant(request, configuration.plant));
     configuration.map = request.map;
     configuration.frictionCompensation = request.frictionCompensation;
     if (request.shape == ToolShape::grasper)
@@ -51,12 +64,15 @@ Tools makeGimbals(DriverRequest& request) {
 
 Tools makeFiveBars(DriverRequest& request) {
     SimulatedEndoscopeDevice::Configuration configuration;
+    CHIRON_TRY(takePlant(request, configuration.plant));
     configuration.start_D = request.endoscopeStart_W; // D equals W unless stated otherwise
     return makeDevices<SimulatedEndoscopeDevice>(configuration, request);
 }
 
 /// Makes one arm for each hand; further fingers of a hand are tools on the first finger's arm.
 Tools makeFingers(DriverRequest& request) {
+    mechanisms::FingertipArmParameters arm;
+    CHIRON_TRY(takePlant(request, arm));
     std::vector<DriverTool> made;
     const SimulatedFingertipDevice* hand = nullptr;
     for (std::size_t i = 0; i < request.tools.size(); ++i) {
@@ -70,6 +86,7 @@ Tools makeFingers(DriverRequest& request) {
             continue;
         }
         SimulatedFingertipDevice::Configuration configuration;
+        configuration.arm = arm;
         configuration.seed = seed;
         configuration.hand = request.hand;
         configuration.mapping = request.tools[i].mapping;
@@ -82,9 +99,6 @@ Tools makeFingers(DriverRequest& request) {
 }
 
 Tools openMechanisms(DriverRequest request) {
-    if (request.gimbal && request.mechanism != kGimbalHprd)
-        return core::fail(core::ErrorCode::wrongUse, "simulated mechanism \"" + request.mechanism +
-                                                         "\": parameters of the gimbal were given");
     if (request.mechanism == FiveBarSphericalKinematics::kId)
         return makeFiveBars(request);
     if (request.mechanism == GimbalHprdKinematics::kId)

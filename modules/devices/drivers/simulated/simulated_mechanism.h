@@ -42,7 +42,9 @@ public:
     ~SimulatedMechanism() override;
 
     const DeviceDescriptor& descriptor() const noexcept final { return m_descriptor; }
-    /// Returns plant, hand and jaw to the start; the tremor and the strategy continue from where they are.
+    /// Returns everything that the device simulates to its start, sensors and tremor included: a device that
+    /// is opened again gives the same samples to the same intentions. The strategy continues from where it
+    /// is.
     core::Result<void> open() final;
     void close() noexcept final;
     core::DeviceSample read(const realtime::HapticTick& now) noexcept final;

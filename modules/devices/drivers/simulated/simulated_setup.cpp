@@ -64,10 +64,12 @@ core::Result<DeviceDescriptor> describeIdentified(const SimulatedDevice::Configu
     DeviceDescriptor d = describe(configuration);
     if (configuration.frictionCompensation == 0.0)
         return d;
-    if (!(configuration.frictionCompensation > 0.0 && configuration.frictionCompensation <= 1.0))
+    static_assert(kMostFrictionCompensation == 0.8, "the message below says so");
+    if (!(configuration.frictionCompensation > 0.0 &&
+          configuration.frictionCompensation <= kMostFrictionCompensation))
         return core::fail(core::ErrorCode::badInput, "simulated device: a friction compensation of " +
                                                          std::to_string(configuration.frictionCompensation) +
-                                                         "; expected a share of 0 to 1");
+                                                         "; expected a share of 0 to 0.8");
     mechanisms::GimbalPlant plant(configuration.plant);
     const auto found = mechanisms::identifyFriction(plant, {});
     CHIRON_TRY(found);

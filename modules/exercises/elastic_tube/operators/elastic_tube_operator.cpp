@@ -5,22 +5,20 @@
 
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 #include "operators/laparoscopy/scripted_hand.h"
+#include "operators/settings/operator_table.h"
+#include "operators/settings/setting_ranges.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <utility>
 
 namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"novice", "intermediate", "expert", "unsafe"};
 constexpr double kJawWandering_s = 3.0; ///< assumption
 
 ElasticTubeOperatorSettings novice() {
     ElasticTubeOperatorSettings s;
-    s.name = "novice";
     s.reach = {.acceleration_m_per_s2 = 2.0, .smoothing_s = 0.04};
     s.attention_s = 0.35;
     s.reachSpeed_m_per_s = 0.07;
@@ -42,7 +40,6 @@ ElasticTubeOperatorSettings novice() {
 
 ElasticTubeOperatorSettings intermediate() {
     ElasticTubeOperatorSettings s;
-    s.name = "intermediate";
     s.reach = {.acceleration_m_per_s2 = 1.0, .smoothing_s = 0.08};
     s.attention_s = 0.18;
     s.aim_m = 0.004;
@@ -64,7 +61,6 @@ ElasticTubeOperatorSettings expert() {
 
 ElasticTubeOperatorSettings unsafe() {
     ElasticTubeOperatorSettings s = novice();
-    s.name = "unsafe";
     s.hand = mechanisms::HandParameters::firm();
     s.reach = {.acceleration_m_per_s2 = 4.0, .smoothing_s = 0.02};
     s.reachSpeed_m_per_s = 0.15;
@@ -80,55 +76,40 @@ ElasticTubeOperatorSettings unsafe() {
     return s;
 }
 
+constexpr OperatorTable<ElasticTubeOperatorSettings, 4> kOperators(
+    {{"novice", &novice}, {"intermediate", &intermediate}, {"expert", &expert}, {"unsafe", &unsafe}});
+
 core::Result<void> check(const ElasticTubeOperatorSettings& s) {
-    struct Range {
-        const char* name;
-        double value, low, high;
-    };
-    const std::array<Range, 20> ranges{
-        {{"attention_s", s.attention_s, 0.0, 2.0},
-         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
-         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
-         {"aim_m", s.aim_m, 0.001, 0.03},
-         {"settle_s", s.settle_s, 0.0, 5.0},
-         {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
-         {"openJaw_rad", s.openJaw_rad, 0.1, 1.6},
-         {"heldJaw_rad", s.heldJaw_rad, 0.0, 0.5},
-         {"jawUnsteadySd_rad", s.jawUnsteadySd_rad, 0.0, 0.5},
-         {"pullSpeed_m_per_s", s.pullSpeed_m_per_s, 0.001, 0.3},
-         {"correctionRate_per_s", s.correctionRate_per_s, 0.1, 10.0},
-         {"assumedStiffness_N_per_m", s.assumedStiffness_N_per_m, 1.0, 1000.0},
-         {"deadZone", s.deadZone, 0.0, 2.0},
-         {"searchSpeed_m_per_s", s.searchSpeed_m_per_s, 0.0005, 0.1},
-         {"longestRatio", s.longestRatio, 1.0, 100.0},
-         {"bringSpeed_m_per_s", s.bringSpeed_m_per_s, 0.002, 0.3},
-         {"retractShare", s.retractShare, 0.0, 5.0},
-         {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
-         {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
-         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
-    for (const Range& range : ranges)
-        if (!(range.value >= range.low && range.value <= range.high))
-            return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
-                                                             std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " +
-                                                             std::to_string(range.high));
-    return {};
+    return checkRanges({{"attention_s", s.attention_s, 0.0, 2.0},
+                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
+                        {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
+                        {"aim_m", s.aim_m, 0.001, 0.03},
+                        {"settle_s", s.settle_s, 0.0, 5.0},
+                        {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
+                        {"openJaw_rad", s.openJaw_rad, 0.1, 1.6},
+                        {"heldJaw_rad", s.heldJaw_rad, 0.0, 0.5},
+                        {"jawUnsteadySd_rad", s.jawUnsteadySd_rad, 0.0, 0.5},
+                        {"pullSpeed_m_per_s", s.pullSpeed_m_per_s, 0.001, 0.3},
+                        {"correctionRate_per_s", s.correctionRate_per_s, 0.1, 10.0},
+                        {"assumedStiffness_N_per_m", s.assumedStiffness_N_per_m, 1.0, 1000.0},
+                        {"deadZone", s.deadZone, 0.0, 2.0},
+                        {"searchSpeed_m_per_s", s.searchSpeed_m_per_s, 0.0005, 0.1},
+                        {"longestRatio", s.longestRatio, 1.0, 100.0},
+                        {"bringSpeed_m_per_s", s.bringSpeed_m_per_s, 0.002, 0.3},
+                        {"retractShare", s.retractShare, 0.0, 5.0},
+                        {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
+                        {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
+                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}});
 }
 
 } // namespace
 
 std::span<const std::string_view> elasticTubeOperatorNames() noexcept {
-    return kNames;
+    return kOperators.names();
 }
 
 core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::string_view name) {
-    const std::array<ElasticTubeOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name)
-            return makers[i]();
-    return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) +
-                          "' is unknown; expected novice, intermediate, expert or unsafe");
+    return kOperators.settings(name);
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "operators/laparoscopy/movement.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/laparoscopy_cues.h"
 #include "core/random.h"
+#include "cues/laparoscopy_cues.h"
 #include "mechanisms/markov_noise.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/operators/tension_control.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The actions of the single hands of a TubeTrainee.
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 #include "operators/laparoscopy/movement.h"
 

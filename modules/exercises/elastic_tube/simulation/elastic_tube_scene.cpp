@@ -8,7 +8,6 @@
 
 namespace chiron::simulation {
 
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
@@ -29,56 +28,21 @@ double fallen(double x) noexcept {
 
 void ElasticTubeScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
-    advance(in, out);
+    const TrialCourse::Turn turn = m_course.advance(in, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare();
     pull(in, out);
-    if (m_phase == TrialPhase::running && !in.paused)
+    if (turn == TrialCourse::Turn::runs)
         runTask(out);
     feel(in.tools, out);
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
+    m_course.write(in, out);
     fillQuantities(out);
-    fillCues(in, out.cues);
+    fillCues(out.cues);
 }
 
-void ElasticTubeScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
-    if (in.paused)
-        return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started)
-            enterReady(out);
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            m_clock = 0;
-            out.events |= bits::kTrialStarted;
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        break;
-    case TrialPhase::between:
-        if (m_clock >= m_betweenTicks) {
-            ++m_trial;
-            enterReady(out);
-        } else {
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::finished:
-        m_clock = std::min(m_clock + 1, kFadeTicks);
-        break;
-    }
-}
-
-void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trialOver = false;
+void ElasticTubeScene::prepare() noexcept {
     const ElasticTubeParameters& p = m_parameters;
-    const ElasticTubeTrial& trial = m_trials[m_trial];
+    const ElasticTubeTrial& trial = m_trials[m_course.trial()];
     m_tube = TubeChain(elasticTubeShape(p, trial));
     m_grips.reset({p.graspReach_m, p.graspAngle_rad, p.releaseAngle_rad});
     m_fold = p.hasFold() ? TubeChain(tissueFoldShape(p, trial)) : TubeChain();
@@ -99,17 +63,6 @@ void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
     goal.fold = p.hasFold();
     m_task.begin(goal);
     m_tornTicks = 0;
-    out.events |= bits::kSceneChanged;
-}
-
-void ElasticTubeScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
-    if (m_trial + 1 < m_trials.size()) {
-        m_phase = TrialPhase::between;
-        return;
-    }
-    m_phase = TrialPhase::finished;
-    out.events |= bits::kFinished;
 }
 
 double ElasticTubeScene::fade() const noexcept {
@@ -117,15 +70,24 @@ double ElasticTubeScene::fade() const noexcept {
 }
 
 double ElasticTubeScene::ending() const noexcept {
-    if (m_phase == TrialPhase::ready || m_phase == TrialPhase::running)
+    if (m_course.present())
         return 1.0;
-    if (m_phase == TrialPhase::idle || m_clock >= kFadeTicks)
+    if (m_course.phase() == core::TrialPhase::idle || m_course.clock() >= kFadeTicks)
         return 0.0;
-    return 1.0 - static_cast<double>(m_clock) / static_cast<double>(kFadeTicks);
+    return 1.0 - static_cast<double>(m_course.clock()) / static_cast<double>(kFadeTicks);
 }
 
 double ElasticTubeScene::tornShare() const noexcept {
     return fallen(static_cast<double>(m_tornTicks) * core::kTickSeconds / m_parameters.yield.fall_s);
+}
+
+/// The flags of a tool that holds the tube or the fold.
+std::uint8_t ElasticTubeScene::contactOf(bool fold, bool beyondChecked) const noexcept {
+    namespace contact = core::contact_bits;
+    const bool torn = !fold && m_task.torn();
+    return static_cast<std::uint8_t>((torn ? contact::kThrough : 0) |
+                                     (torn && m_tornTicks == 1 ? contact::kYielded : 0) |
+                                     (torn || beyondChecked ? contact::kBeyondChecked : 0));
 }
 
 /// The pull on a tool. It continues for a short time after the tool lets go, while the tube slides out of its
@@ -143,8 +105,7 @@ core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, 
 }
 
 bool ElasticTubeScene::tubePresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0 ||
-           (m_parameters.hasFold() && ending() > 0.0);
+    return m_course.present() || fade() > 0.0 || (m_parameters.hasFold() && ending() > 0.0);
 }
 
 void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
@@ -193,26 +154,19 @@ TubeTaskSample ElasticTubeScene::sample() const noexcept {
 }
 
 void ElasticTubeScene::runTask(SceneOutput& out) noexcept {
-    if (m_trialOver)
-        return;
-    ++m_clock;
     const TubeTaskTracker::Change change = m_task.advance(sample());
     out.events |= change.moved ? bits::kStageChanged : 0;
     out.events |= change.dropped ? bits::kSlipped : 0;
     out.events |= change.damaged ? bits::kDamaged : 0;
     if (change.completed)
-        out.events |= bits::kCompleted;
+        m_course.end(bits::kCompleted, out);
     else if (change.torn)
-        out.events |= bits::kFailed;
-    else if (m_clock >= m_limitTicks)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
+        m_course.end(bits::kFailed, out);
+    else if (m_course.timeIsUp())
+        m_course.end(bits::kTimedOut, out);
 }
 
 void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noexcept {
-    namespace contact = core::contact_bits;
     if (m_task.torn())
         ++m_tornTicks;
     const int count = std::clamp(tools.count, 0, core::kMaxTools);
@@ -237,15 +191,14 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)])
                                 : core::Vec3::Zero().eval();
         // No more than the tube bears, also in tasks without a tear limit
-        if (pull.norm() > m_parameters.yield.force_N)
+        const bool tooMuch = pull.norm() > m_parameters.yield.force_N;
+        if (tooMuch)
             pull *= m_parameters.yield.force_N / pull.norm();
         out.tissue.tools[i].force = used ? slipping(i, pull, holds) : core::Vec3::Zero().eval();
         if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // friction still holds what slides
             stiffest = std::max(stiffest, m_slips[i].share * first_N_per_m);
-        if (holds && !fold && m_task.torn())
-            out.contact[i] =
-                static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
         if (holds) {
+            out.contact[i] = contactOf(fold, tooMuch || answer.beyondLimit[static_cast<std::size_t>(node)]);
             stiffest = std::max(stiffest, share * answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
             out.damping_Ns_per_m[i] = share * answer.damping_Ns_per_m[static_cast<std::size_t>(node)];
         }

@@ -7,6 +7,7 @@
 #include "modules/exercises/elastic_tube/simulation/tube_grips.h"
 #include "modules/exercises/elastic_tube/simulation/tube_task.h"
 #include "simulation/scene.h"
+#include "simulation/trial_course.h"
 
 #include <array>
 #include <cstdint>
@@ -35,21 +36,19 @@ enum class TubeQuantity : std::uint8_t {
 };
 
 /// The running elastic-tube exercise (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments";
-/// models.md §2.4). Trials follow one another as in SphereApexScene:
+/// models.md §2.4). The trials follow the course of TrialCourse:
 ///
-///   idle --started--> ready --forceReady--> running --done, torn or limit--> between
-///   between --betweenTrials_s--> ready ... finished
-///
-/// - kSceneChanged comes with the first tick of `ready`, when the next tube appears. Nobody holds it, and
-///   jaws have to open first. The tube may be grasped while force is armed; the task (tube_task.h) begins
-///   with kTrialStarted.
-/// - kCompleted (held to the end), kFailed (torn) or kTimedOut ends a trial. That tick still has the tube; in
-///   the tick of the time limit, done and torn take precedence. kGrasped and kReleased come with the jaws,
+/// - With the first tick of `ready` the next tube appears. Nobody holds it, and jaws have to open first. The
+///   tube may be grasped while force is armed; the task (tube_task.h) begins with kTrialStarted.
+/// - kCompleted (held to the end), kFailed (torn) or kTimedOut ends a trial; in the tick of the time limit,
+///   done and torn take precedence. kGrasped and kReleased come with the jaws,
 ///   kSlipped with a release that drops the tube (then kReleased comes too), kDamaged with an over-stretch,
 ///   and kStageChanged with a step of the task.
 /// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk. A tube that
 ///   tears gives way within parameters.yield.fall_s, which core::contact_bits of the tools that hold it
 ///   report. A tube that is let go of slides out of the jaws within 0.1 s.
+/// - The checked range (kBeyondChecked outside it) is a tube or fold that is whole, stretched up to the limit
+///   of its law, and pulls with no more than the yield force.
 /// - During a pause the clocks and the task stand still, and the tube follows the hands (the supervisor ramps
 ///   the force).
 /// - Where the level has a fold of tissue over the tube, the last tool takes hold of its edge and draws it
@@ -73,13 +72,12 @@ public:
     const std::vector<ElasticTubeTrial>& trials() const noexcept { return m_trials; }
 
 private:
-    void advance(const SceneInput& in, SceneOutput& out) noexcept;
-    void enterReady(SceneOutput& out) noexcept;
+    void prepare() noexcept;
     void runTask(SceneOutput& out) noexcept;
-    void leaveTrial(SceneOutput& out) noexcept;
     void pull(const SceneInput& in, SceneOutput& out) noexcept;
     void feel(const core::ToolStates& tools, SceneOutput& out) noexcept;
     double tornShare() const noexcept;
+    std::uint8_t contactOf(bool fold, bool beyondChecked) const noexcept;
     core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;
     bool tubePresent() const noexcept;
     double fade() const noexcept;   ///< share of the tube's pull that is left
@@ -91,21 +89,16 @@ private:
     void fillFold(core::LaparoscopyCues& cues) const noexcept;
     TubeTaskSample sample() const noexcept;
     void fillQuantities(SceneOutput& out) const noexcept;
-    void fillCues(const SceneInput& in, core::VisibleCues& cues) const noexcept;
+    void fillCues(core::VisibleCues& cues) const noexcept;
     void fillTube(core::LaparoscopyCues& cues) const noexcept;
 
     ElasticTubeParameters m_parameters;
     std::vector<ElasticTubeTrial> m_trials;
-    std::uint64_t m_limitTicks;
-    std::uint64_t m_betweenTicks;
+    TrialCourse m_course;
     std::uint64_t m_holdTicks;
     bool m_showsObject;
     bool m_showsBars;
 
-    core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
-    bool m_trialOver = false;  ///< the previous tick ended the trial
     TubeChain m_tube;
     TubeGrips m_grips;
     TubeChain m_fold; ///< lies over the tube, if there is one

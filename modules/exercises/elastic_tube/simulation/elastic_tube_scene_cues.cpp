@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scene's outputs other than forces: recorded quantities and what the screen shows.
-#include "core/units.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
-
-#include <algorithm>
 
 namespace chiron::simulation {
 
@@ -47,17 +44,13 @@ void ElasticTubeScene::fillQuantities(SceneOutput& out) const noexcept {
     at(TubeQuantity::foldEdgeZ_m) = edge.z();
 }
 
-void ElasticTubeScene::fillCues(const SceneInput& in, core::VisibleCues& cues) const noexcept {
+void ElasticTubeScene::fillCues(core::VisibleCues& cues) const noexcept {
     core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
-    cues.trial = static_cast<std::uint16_t>(m_trial);
-    cues.phase = m_phase;
-    cues.force = in.force;
     own.present = true;
     if (!tubePresent())
         return;
-    if (m_phase == core::TrialPhase::ready || m_phase == core::TrialPhase::running) {
-        cues.timeLeft_s =
-            static_cast<double>(m_limitTicks - std::min(m_clock, m_limitTicks)) * core::kTickSeconds;
+    if (m_course.present()) {
+        cues.timeLeft_s = m_course.timeLeft_s();
         own.step = m_task.step();
     }
     if (m_showsObject) {

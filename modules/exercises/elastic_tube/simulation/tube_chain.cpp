@@ -179,6 +179,8 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
             answer.force[b] -= pull.onFirst;
             answer.stiffness_N_per_m[a] += pull.stiffness_N_per_m;
             answer.stiffness_N_per_m[b] += pull.stiffness_N_per_m;
+            if (pull.stretch_m > m_shape.law.limit_m)
+                answer.beyondLimit[a] = answer.beyondLimit[b] = true;
             answer.tension_N = std::max(answer.tension_N, pull.tension_N);
             answer.stretch_m = std::max(answer.stretch_m, pull.stretch_m);
             answer.energy_J += pull.energy_J;

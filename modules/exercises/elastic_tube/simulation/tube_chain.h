@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "simulation/attributes/damping_budget.h"
 #include "simulation/tube/tube_law.h"
 
@@ -44,6 +44,8 @@ struct TubeAnswer {
     std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};
     /// Part of the holder's budget that is used.
     std::array<double, TubeShape::kMaxNodes> damping_Ns_per_m{};
+    /// A segment at the node is stretched further than the law's limit, beyond which its tension stays.
+    std::array<bool, TubeShape::kMaxNodes> beyondLimit{};
     double tension_N = 0.0; ///< largest along the tube
     double stretch_m = 0.0; ///< largest, expressed for the whole tube
     double energy_J = 0.0;  ///< elastic

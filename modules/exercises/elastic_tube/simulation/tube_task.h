@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/laparoscopy_cues.h"
+#include "cues/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <cstdint>

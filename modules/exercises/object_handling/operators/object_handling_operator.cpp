@@ -5,20 +5,15 @@
 
 #include "modules/exercises/object_handling/operators/handling_trainee.h"
 #include "operators/laparoscopy/scripted_hand.h"
-
-#include <array>
-#include <string>
-#include <utility>
+#include "operators/settings/operator_table.h"
+#include "operators/settings/setting_ranges.h"
 
 namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"novice", "intermediate", "expert", "unsafe"};
-
 ObjectHandlingOperatorSettings novice() {
     ObjectHandlingOperatorSettings s;
-    s.name = "novice";
     s.reach = {.acceleration_m_per_s2 = 2.0, .smoothing_s = 0.04};
     s.attention_s = 0.35;
     s.reachSpeed_m_per_s = 0.07;
@@ -48,7 +43,6 @@ ObjectHandlingOperatorSettings novice() {
 
 ObjectHandlingOperatorSettings intermediate() {
     ObjectHandlingOperatorSettings s;
-    s.name = "intermediate";
     s.reach = {.acceleration_m_per_s2 = 1.0, .smoothing_s = 0.08};
     s.attention_s = 0.18;
     s.carrySpeed_m_per_s = 0.05;
@@ -76,7 +70,6 @@ ObjectHandlingOperatorSettings expert() {
 
 ObjectHandlingOperatorSettings unsafe() {
     ObjectHandlingOperatorSettings s = novice();
-    s.name = "unsafe";
     s.hand = mechanisms::HandParameters::firm();
     s.reach = {.acceleration_m_per_s2 = 4.0, .smoothing_s = 0.02};
     s.reachSpeed_m_per_s = 0.15;
@@ -94,64 +87,48 @@ ObjectHandlingOperatorSettings unsafe() {
     return s;
 }
 
+constexpr OperatorTable<ObjectHandlingOperatorSettings, 4> kOperators(
+    {{"novice", &novice}, {"intermediate", &intermediate}, {"expert", &expert}, {"unsafe", &unsafe}});
+
 core::Result<void> check(const ObjectHandlingOperatorSettings& s, const ObjectHandlingBriefing& b) {
-    struct Range {
-        const char* name;
-        double value, low, high;
-    };
-    const std::array<Range, 28> ranges{
-        {{"attention_s", s.attention_s, 0.0, 2.0},
-         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
-         {"carrySpeed_m_per_s", s.carrySpeed_m_per_s, 0.005, 0.5},
-         {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.002, 0.3},
-         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
-         {"aim_m", s.aim_m, 0.0005, 0.02},
-         {"placeAim_m", s.placeAim_m, 0.0005, 0.02},
-         {"settle_s", s.settle_s, 0.0, 5.0},
-         {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
-         {"squeezeShare", s.squeezeShare, 0.05, 3.0},
-         {"squeezeGain_rad_per_Ns", s.squeezeGain_rad_per_Ns, 0.01, 10.0},
-         {"squeezeSpeed_rad_per_s", s.squeezeSpeed_rad_per_s, 0.01, 20.0},
-         {"squeezeTolerance", s.squeezeTolerance, 0.0, 1.0},
-         {"flatteningShare", s.flatteningShare, 0.01, 0.6},
-         {"regripFactor", s.regripFactor, 1.0, 3.0},
-         {"clearance_m", s.clearance_m, 0.0, 0.05},
-         {"setDownSpeed_m_per_s", s.setDownSpeed_m_per_s, 0.001, 0.3},
-         {"releaseHeight_m", s.releaseHeight_m, 0.0, 0.05},
-         {"openSpeed_rad_per_s", s.openSpeed_rad_per_s, 0.05, 20.0},
-         {"weighTime_s", s.weighTime_s, 0.0, 30.0},
-         {"heft_m", s.heft_m, 0.0, 0.02},
-         {"weighAgain", s.weighAgain, 0.0, 1.0},
-         {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
-         {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
-         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5},
-         {"liftHeight_m", b.liftHeight_m, 0.0, 0.06},
-         {"jawLength_m", b.jawLength_m, 0.005, 0.1},
-         {"place.scale", b.place.scale, 0.1, 10.0}}};
-    for (const Range& range : ranges)
-        if (!(range.value >= range.low && range.value <= range.high))
-            return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
-                                                             std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " +
-                                                             std::to_string(range.high));
-    return {};
+    return checkRanges({{"attention_s", s.attention_s, 0.0, 2.0},
+                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
+                        {"carrySpeed_m_per_s", s.carrySpeed_m_per_s, 0.005, 0.5},
+                        {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.002, 0.3},
+                        {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
+                        {"aim_m", s.aim_m, 0.0005, 0.02},
+                        {"placeAim_m", s.placeAim_m, 0.0005, 0.02},
+                        {"settle_s", s.settle_s, 0.0, 5.0},
+                        {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
+                        {"squeezeShare", s.squeezeShare, 0.05, 3.0},
+                        {"squeezeGain_rad_per_Ns", s.squeezeGain_rad_per_Ns, 0.01, 10.0},
+                        {"squeezeSpeed_rad_per_s", s.squeezeSpeed_rad_per_s, 0.01, 20.0},
+                        {"squeezeTolerance", s.squeezeTolerance, 0.0, 1.0},
+                        {"flatteningShare", s.flatteningShare, 0.01, 0.6},
+                        {"regripFactor", s.regripFactor, 1.0, 3.0},
+                        {"clearance_m", s.clearance_m, 0.0, 0.05},
+                        {"setDownSpeed_m_per_s", s.setDownSpeed_m_per_s, 0.001, 0.3},
+                        {"releaseHeight_m", s.releaseHeight_m, 0.0, 0.05},
+                        {"openSpeed_rad_per_s", s.openSpeed_rad_per_s, 0.05, 20.0},
+                        {"weighTime_s", s.weighTime_s, 0.0, 30.0},
+                        {"heft_m", s.heft_m, 0.0, 0.02},
+                        {"weighAgain", s.weighAgain, 0.0, 1.0},
+                        {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
+                        {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
+                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5},
+                        {"liftHeight_m", b.liftHeight_m, 0.0, 0.06},
+                        {"jawLength_m", b.jawLength_m, 0.005, 0.1},
+                        {"place.scale", b.place.scale, 0.1, 10.0}});
 }
 
 } // namespace
 
 std::span<const std::string_view> objectHandlingOperatorNames() noexcept {
-    return kNames;
+    return kOperators.names();
 }
 
 core::Result<ObjectHandlingOperatorSettings> objectHandlingOperatorSettings(std::string_view name) {
-    const std::array<ObjectHandlingOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert,
-                                                                     &unsafe};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name)
-            return makers[i]();
-    return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) +
-                          "' is unknown; expected novice, intermediate, expert or unsafe");
+    return kOperators.settings(name);
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>

@@ -97,6 +97,7 @@ void HandlingWorld::squeezeHeld(const HandlingTool& tool, HandlingAnswer& answer
         const double thickness_m = 2.0 * m_parameters.radius_m;
         const double pressed_m = grips * std::max(0.0, thickness_m - tool.opening_m);
         m_squeeze = Squeeze::of(m_object.elastic(), thickness_m, thickness_m - pressed_m);
+        checkRange(0.5 * m_squeeze.compression_m, answer); // half of it at each jaw
     }
     if (m_damageArmed && m_squeeze.force_N > m_parameters.squeezeLimit_N) {
         m_damageArmed = false;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-up of the world and its task. It is kept apart from the code of the tick, because copying the
 // parameters allocates.
-#include "core/units.h"
 #include "modules/exercises/object_handling/simulation/handling_progress.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
-
-#include <algorithm>
-#include <cmath>
+#include "simulation/scene_setup.h"
 
 namespace chiron::simulation {
 
@@ -27,7 +24,6 @@ HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed
       m_bodyBed(underBody(parameters.bed)), m_soft(soft) {}
 
 HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
-    : m_parameters(parameters), m_holdTicks(static_cast<std::uint64_t>(
-                                    std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
+    : m_parameters(parameters), m_holdTicks(ticksOf(parameters.hold_s)) {}
 
 } // namespace chiron::simulation

@@ -95,6 +95,12 @@ HandlingAnswer HandlingWorld::step(const HandlingTool& tool) noexcept {
     return answer;
 }
 
+/// Flags the answer if one of its contacts is deeper than the laws have been checked.
+void HandlingWorld::checkRange(double depth_m, HandlingAnswer& answer) noexcept {
+    if (depth_m > kCheckedContactDepth_m)
+        answer.contact |= core::contact_bits::kBeyondChecked;
+}
+
 bool HandlingWorld::tipTouches(Body& body, double depth_m, const HandlingTool& tool) const noexcept {
     const bool inside = depth_m > -m_object.reach_m();
     if (!inside)
@@ -127,6 +133,8 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     const bool pierced = body.yield.everYields() && place.depth_m > kPiercedShare * radius;
     const double holds = body.yield.step(touch.force.norm(), !touch.inContact, pierced, kT);
     answer.contact |= body.yield.bits();
+    if (touch.inContact && holds > 0.0)
+        checkRange(place.depth_m, answer);
     scale(touch, holds);
     body.tipEnergy_J = touch.energy_J;
     if (!touch.inContact || holds == 0.0)
@@ -184,6 +192,8 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     const double holds =
         m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
     answer.contact |= m_bedYield.bits();
+    if (touch.inContact && holds > 0.0)
+        checkRange(m_soft != nullptr ? m_soft->deepest_m(SoftBed::kTip) : place.depth_m, answer);
     scale(touch, holds);
     touch.inContact = touch.inContact && holds > 0.0;
     if (m_soft != nullptr)
@@ -215,8 +225,10 @@ void HandlingWorld::pushApart(HandlingAnswer& answer) noexcept {
             const Vec3 push = (stiffness * overlap / distance) * apart;
             other.load += push;
             one.load -= push;
-            if (isHeld(i) || isHeld(k)) // the hand feels it through the held object
+            if (isHeld(i) || isHeld(k)) { // the hand feels it through the held object
                 answer.stiffness_N_per_m += stiffness;
+                checkRange(0.5 * overlap, answer); // half of it in each of the two
+            }
             if (isHeld(i) || isHeld(k) || one.touched || other.touched)
                 answer.energy_J += 0.5 * stiffness * overlap * overlap;
         }
@@ -231,6 +243,7 @@ void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
     answer.force -=
         m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
     answer.stiffness_N_per_m += body.it.bedStiffness_N_per_m();
+    checkRange(body.it.bedDepth_m(), answer);
     answer.touching = true;
 }
 

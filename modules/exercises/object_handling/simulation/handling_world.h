@@ -41,7 +41,9 @@ struct HandlingAnswer {
 };
 
 /// Loose bodies on a bed and one grasper among them (object handling). Deterministic. This folder's README
-/// has the equations.
+/// has the equations. The checked range (kBeyondChecked outside it): no contact that the tool feels is deeper
+/// than kCheckedContactDepth_m. These are the tip in a body and in the bed, the held body in the bed and in
+/// its neighbours, and each jaw in the held body.
 /// Thread: haptic, for step() and begin(); step() never allocates.
 class HandlingWorld {
 public:
@@ -96,6 +98,7 @@ private:
                           double reach_m) noexcept;
     void layOnBed(std::size_t i) noexcept;
     void touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept;
+    static void checkRange(double depth_m, HandlingAnswer& answer) noexcept;
     void pushApart(HandlingAnswer& answer) noexcept;
     void carry(HandlingAnswer& answer) noexcept;
     void countEnergy(HandlingAnswer& answer) noexcept;

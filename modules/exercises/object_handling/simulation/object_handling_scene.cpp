@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 
-#include "core/units.h"
-
 #include <algorithm>
 
 namespace chiron::simulation {
 
 using core::LaparoscopyStep;
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 void ObjectHandlingScene::respond(const realtime::HapticTick& now, const SceneInput& in,
@@ -17,87 +14,35 @@ void ObjectHandlingScene::respond(const realtime::HapticTick& now, const SceneIn
     m_tick = now.index();
     if (m_softBed && m_softBed->update(m_tick, in.slow))
         out.events |= bits::kSlowApplied;
-    advance(in, out);
-    touch(in, out);
-    if (m_softBed && objectsPresent())
+    const TrialCourse::Turn turn = m_course.advance(in, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare();
+    if (turn == TrialCourse::Turn::leaves)
+        m_world.clear();
+    touch(in, turn == TrialCourse::Turn::runs, out);
+    if (m_softBed && m_course.present())
         m_softBed->ask(m_tick);
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
-    fillCues(in, out);
+    m_course.write(in, out);
+    fillCues(out);
 }
 
-void ObjectHandlingScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
-    if (in.paused)
-        return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started)
-            enterReady(out);
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            out.events |= bits::kTrialStarted;
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        else
-            ++m_clock;
-        break;
-    case TrialPhase::between:
-        if (m_clock >= m_betweenTicks) {
-            ++m_trial;
-            enterReady(out);
-        } else {
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::finished:
-        break;
-    }
-}
-
-void ObjectHandlingScene::enterReady(SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trialOver = false;
+void ObjectHandlingScene::prepare() noexcept {
+    const ObjectHandlingTrial& trial = m_trials[m_course.trial()];
     if (m_softBed)
         m_softBed->begin(m_tick);
     if (hasBed())
-        m_world.begin(m_trials[m_trial]);
-    m_task.begin(m_trials[m_trial]);
-    out.events |= bits::kSceneChanged;
-}
-
-void ObjectHandlingScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
-    m_world.clear();
-    if (m_trial + 1 < m_trials.size()) {
-        m_phase = TrialPhase::between;
-        return;
-    }
-    m_phase = TrialPhase::finished;
-    out.events |= bits::kFinished;
+        m_world.begin(trial);
+    m_task.begin(trial);
 }
 
 void ObjectHandlingScene::endTrial(SceneOutput& out) noexcept {
     if (m_task.done())
-        out.events |= bits::kCompleted;
-    else if (m_clock >= m_limitTicks)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
+        m_course.end(bits::kCompleted, out);
+    else if (m_course.timeIsUp())
+        m_course.end(bits::kTimedOut, out);
 }
 
-bool ObjectHandlingScene::objectsPresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
-}
-
-void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
+void ObjectHandlingScene::touch(const SceneInput& in, bool running, SceneOutput& out) noexcept {
     const int count = std::clamp(in.tools.count, 0, core::kMaxTools);
     out.tissue.count = count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -115,8 +60,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
         grasper.mostDamping_Ns_per_m = in.dampingBudget_Ns_per_m[0];
     }
     HandlingAnswer answer;
-    if (objectsPresent()) {
-        const bool running = m_phase == TrialPhase::running && !in.paused && !m_trialOver;
+    if (m_course.present()) {
         if (hasBed()) {
             answer = m_world.step(grasper);
             m_task.follow(m_world, running);
@@ -168,22 +112,19 @@ void ObjectHandlingScene::showObjects(core::LaparoscopyCues& cues) const noexcep
         cue.heldBy = 1;
         cue.squeeze_m = m_world.squeeze().compression_m;
     }
-    const core::Vec2& target = m_trials[m_trial].target_m;
+    const core::Vec2& target = m_trials[m_course.trial()].target_m;
     cues.targetShown = true;
     cues.p_WTarget = {target.x(), target.y(), 0.0};
     cues.targetRadius_m = m_parameters.targetRadius_m;
 }
 
-void ObjectHandlingScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+void ObjectHandlingScene::fillCues(SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
     core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
-    cues.trial = static_cast<std::uint16_t>(m_trial);
-    cues.phase = m_phase;
-    cues.force = in.force;
     own.present = true;
-    if (!objectsPresent())
+    if (!m_course.present())
         return;
-    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    cues.timeLeft_s = m_course.timeLeft_s();
     own.step = m_task.step();
     own.dwell = m_task.dwell();
     if (m_showsObjects)

@@ -4,7 +4,9 @@
 #include "modules/exercises/object_handling/simulation/handling_progress.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "simulation/geometry/mesh/mesh_contact.h"
 #include "simulation/scene.h"
+#include "simulation/trial_course.h"
 
 #include <cstdint>
 #include <memory>
@@ -26,16 +28,9 @@ inline constexpr std::size_t kHeldError = 15; ///< m, PredictionError::held_m
 inline constexpr std::size_t kCount = 16;
 } // namespace handling_quantity
 
-/// Running object-handling exercise (P2; models.md §2.2). The task moves through these states, one trial
-/// after the other:
-///
-///   idle --started--> ready --forceReady--> running --done or limit--> between --betweenTrials_s--> ready
-///   ... finished
-///
-/// The events are as in the sphere-apex exercise. kSceneChanged comes with the first tick of `ready`,
-/// kTrialStarted with the first running one, kCompleted or kTimedOut with the last one, which still has the
-/// objects, and kFinished with the first tick of `finished`. A mark has no meaning here. In idle, between and
-/// finished there is no object and no bed, and force is zero.
+/// Running object-handling exercise (P2; models.md §2.2). The trials follow the course of TrialCourse;
+/// kCompleted or kTimedOut ends one. A mark has no meaning here. In idle, between and finished there is no
+/// object and no bed, and force is zero.
 ///
 /// Tool 0 grasps; other tools feel nothing. While paused the clocks stand still and the jaw stays as it was,
 /// so that putting the instrument down for a while drops nothing; contact still produces forces. All of tool
@@ -52,35 +47,30 @@ public:
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
     ISlowModel* slowModel() noexcept override { return m_softBed ? &m_softBed->organ() : nullptr; }
+    bool conservative() const noexcept override {
+        return !m_parameters.organBed || MeshContact::kConservative;
+    }
 
     /// The truth, for scoring.
     const std::vector<ObjectHandlingTrial>& trials() const noexcept { return m_trials; }
     const HandlingWorld& world() const noexcept { return m_world; } ///< for tests and tables
 
 private:
-    void advance(const SceneInput& in, SceneOutput& out) noexcept;
-    void enterReady(SceneOutput& out) noexcept;
-    void leaveTrial(SceneOutput& out) noexcept;
+    void prepare() noexcept;
     void endTrial(SceneOutput& out) noexcept;
-    bool objectsPresent() const noexcept;
     /// False: the organ could not be made.
     bool hasBed() const noexcept { return m_softBed != nullptr || !m_parameters.organBed; }
-    void touch(const SceneInput& in, SceneOutput& out) noexcept;
+    void touch(const SceneInput& in, bool running, SceneOutput& out) noexcept;
     void fillQuantities(double bedDepth_m, SceneOutput& out) const noexcept;
-    void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
+    void fillCues(SceneOutput& out) const noexcept;
     void showObjects(core::LaparoscopyCues& cues) const noexcept;
 
     ObjectHandlingParameters m_parameters;
     std::vector<ObjectHandlingTrial> m_trials;
-    std::uint64_t m_limitTicks;
-    std::uint64_t m_betweenTicks;
+    TrialCourse m_course;
     bool m_showsObjects;
     bool m_showsBars;
 
-    core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
-    bool m_trialOver = false;  ///< the previous tick ended the trial
     bool m_touching = false;
     double m_opening_m = 0.0;           ///< of the jaws, kept while paused
     std::unique_ptr<SoftBed> m_softBed; ///< null: the bed is a plane

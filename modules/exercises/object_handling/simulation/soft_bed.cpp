@@ -77,7 +77,7 @@ bool SoftBed::isClear(const Vec3& p) const noexcept {
 bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p) const noexcept {
     constexpr double kSure_m = 2e-4; // closer to the sheet than this, being out counts as leaving
     const Toucher& toucher = m_touchers[who];
-    const double depth_m = std::max(toucher.felt.geometric_m(), toucher.felt.felt_m());
+    const double depth_m = deepest_m(who);
     if (toucher.onFloor || !(depth_m > 0.0))
         return false;
     return (depth_m > kSure_m || toucher.tracker.foot().track == MeshTrack::followed) && isClear(p);

@@ -8,6 +8,7 @@
 #include "simulation/objects/felt_place.h"
 #include "simulation/objects/object_contact.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -48,6 +49,11 @@ public:
     /// Says whether a toucher of radius 0 has come out of the organ elsewhere than it went in, according to
     /// the last place().
     bool isOutElsewhere(std::size_t who, const core::Vec3& p) const noexcept;
+    /// How deep a toucher is, by the geometry or as it is felt, whichever is more, according to the last
+    /// place().
+    double deepest_m(std::size_t who) const noexcept {
+        return std::max(m_touchers[who].felt.geometric_m(), m_touchers[who].felt.felt_m());
+    }
     /// Call once per tick after the contacts: sends a request to the slow model when it is time.
     void ask(std::uint64_t tick) noexcept { m_organ->ask(tick, m_touches); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/report_word.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <algorithm>
 #include <array>
@@ -41,36 +41,36 @@ public:
     }
     /// Applies a report word. Returns the finding that it was about, or kNone if it had no effect (no such
     /// finding, no such value). `done` is about no finding and is always accepted.
-    int report(core::ReportField field, unsigned value) noexcept {
+    int report(ReportField field, unsigned value) noexcept {
         switch (field) {
-        case core::ReportField::found:
+        case ReportField::found:
             return kNone; // a mark needs a position: see found()
-        case core::ReportField::done:
+        case ReportField::done:
             m_done = true;
             return kNone;
-        case core::ReportField::select:
+        case ReportField::select:
             return has(static_cast<int>(value)) ? m_selected = static_cast<int>(value) : kNone;
-        case core::ReportField::remove:
+        case ReportField::remove:
             return remove(static_cast<int>(value));
-        case core::ReportField::size:
-        case core::ReportField::hardness:
-        case core::ReportField::confidence:
+        case ReportField::size:
+        case ReportField::hardness:
+        case ReportField::confidence:
             return rate(m_selected, field, value);
         }
         return kNone;
     }
     /// Applies a rating to a given finding, as a recording states it.
-    int rate(int finding, core::ReportField field, unsigned value) noexcept {
+    int rate(int finding, ReportField field, unsigned value) noexcept {
         if (!has(finding))
             return kNone;
         Finding& about = m_findings[static_cast<std::size_t>(finding)];
-        if (field == core::ReportField::size)
-            about.radius_m = 1e-4 * std::min<unsigned>(value, core::kReportValueMask);
+        if (field == ReportField::size)
+            about.radius_m = 1e-4 * std::min<unsigned>(value, kReportValueMask);
         else if (value > kHighestRating)
             return kNone;
-        else if (field == core::ReportField::hardness)
+        else if (field == ReportField::hardness)
             about.hardness = static_cast<std::uint8_t>(value);
-        else if (field == core::ReportField::confidence)
+        else if (field == ReportField::confidence)
             about.confidence = static_cast<std::uint8_t>(value);
         return finding;
     }

@@ -5,8 +5,9 @@
 #include "core/random.h"
 #include "modules/exercises/palpation/operators/palpating_finger.h"
 #include "modules/exercises/palpation/operators/palpation_trainee.h"
+#include "operators/settings/operator_table.h"
+#include "operators/settings/setting_ranges.h"
 
-#include <array>
 #include <string>
 #include <utility>
 
@@ -14,11 +15,8 @@ namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"novice", "intermediate", "expert", "unsafe"};
-
 PalpationOperatorSettings novice() {
     PalpationOperatorSettings s;
-    s.name = "novice";
     s.search = SearchKind::random;
     s.reach = 0.85;
     s.searchShare = 0.45;
@@ -37,7 +35,6 @@ PalpationOperatorSettings novice() {
 
 PalpationOperatorSettings intermediate() {
     PalpationOperatorSettings s;
-    s.name = "intermediate";
     s.search = SearchKind::spiral;
     s.searchShare = 0.55;
     s.aimSd_m = 0.0015;
@@ -56,7 +53,6 @@ PalpationOperatorSettings expert() {
 
 PalpationOperatorSettings unsafe() {
     PalpationOperatorSettings s = novice();
-    s.name = "unsafe";
     s.hand = mechanisms::HandParameters::firm();
     s.forceShare = 1.9;
     s.reachSpeed_m_per_s = 0.20;
@@ -64,68 +60,48 @@ PalpationOperatorSettings unsafe() {
     return s;
 }
 
-struct Range {
-    const char* name;
-    double value, low, high;
-};
-
-core::Result<void> within(std::span<const Range> ranges) {
-    for (const Range& range : ranges)
-        if (!(range.value >= range.low && range.value <= range.high))
-            return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
-                                                             std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " +
-                                                             std::to_string(range.high));
-    return {};
-}
+constexpr OperatorTable<PalpationOperatorSettings, 4> kOperators(
+    {{"novice", &novice}, {"intermediate", &intermediate}, {"expert", &expert}, {"unsafe", &unsafe}});
 
 core::Result<void> check(const PalpationOperatorSettings& s) {
-    const std::array<Range, 18> ranges{{{"spacing_m", s.spacing_m, 0.002, 0.05},
-                                        {"reach", s.reach, 0.1, 1.0},
-                                        {"searchShare", s.searchShare, 0.1, 0.9},
-                                        {"pressTime_s", s.pressTime_s, 0.2, 10.0},
-                                        {"aimSd_m", s.aimSd_m, 0.0, 0.02},
-                                        {"forceShare", s.forceShare, 0.0, 5.0},
-                                        {"pressSd", s.pressSd, 0.0, 1.0},
-                                        {"pressures", static_cast<double>(s.pressures), 1.0, 3.0},
-                                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.01, 0.8},
-                                        {"pressSpeed_m_per_s", s.pressSpeed_m_per_s, 0.005, 0.5},
-                                        {"hover_m", s.hover_m, 0.001, 0.05},
-                                        {"hold_s", s.hold_s, 0.15, 5.0},
-                                        {"revisits", static_cast<double>(s.revisits), 0.0, 6.0},
-                                        {"revisitRadius_m", s.revisitRadius_m, 0.001, 0.03},
-                                        {"revisitAbove", s.revisitAbove, 0.0, 20.0},
-                                        {"criterion", s.criterion, 0.0, 20.0},
-                                        {"perception.touch_N", s.perception.touch_N, 0.001, 1.0},
-                                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
-    return within(ranges);
+    return checkRanges({{"spacing_m", s.spacing_m, 0.002, 0.05},
+                        {"reach", s.reach, 0.1, 1.0},
+                        {"searchShare", s.searchShare, 0.1, 0.9},
+                        {"pressTime_s", s.pressTime_s, 0.2, 10.0},
+                        {"aimSd_m", s.aimSd_m, 0.0, 0.02},
+                        {"forceShare", s.forceShare, 0.0, 5.0},
+                        {"pressSd", s.pressSd, 0.0, 1.0},
+                        {"pressures", static_cast<double>(s.pressures), 1.0, 3.0},
+                        {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.01, 0.8},
+                        {"pressSpeed_m_per_s", s.pressSpeed_m_per_s, 0.005, 0.5},
+                        {"hover_m", s.hover_m, 0.001, 0.05},
+                        {"hold_s", s.hold_s, 0.15, 5.0},
+                        {"revisits", static_cast<double>(s.revisits), 0.0, 6.0},
+                        {"revisitRadius_m", s.revisitRadius_m, 0.001, 0.03},
+                        {"revisitAbove", s.revisitAbove, 0.0, 20.0},
+                        {"criterion", s.criterion, 0.0, 20.0},
+                        {"perception.touch_N", s.perception.touch_N, 0.001, 1.0},
+                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}});
 }
 
 core::Result<void> check(const PalpationBriefing& b) {
-    const std::array<Range, 7> ranges{{{"areaHalf_m.x", b.areaHalf_m.x(), 0.005, 0.2},
-                                       {"areaHalf_m.y", b.areaHalf_m.y(), 0.005, 0.2},
-                                       {"hands", static_cast<double>(b.hands), 1.0, 2.0},
-                                       {"fingers", static_cast<double>(b.fingers), 1.0, 2.0},
-                                       {"fingerSpacing_m", b.fingerSpacing_m, 0.008, 0.05},
-                                       {"bandLow_N", b.bandLow_N, 0.05, 10.0},
-                                       {"bandHigh_N", b.bandHigh_N, b.bandLow_N, 20.0}}};
-    return within(ranges);
+    return checkRanges({{"areaHalf_m.x", b.areaHalf_m.x(), 0.005, 0.2},
+                        {"areaHalf_m.y", b.areaHalf_m.y(), 0.005, 0.2},
+                        {"hands", static_cast<double>(b.hands), 1.0, 2.0},
+                        {"fingers", static_cast<double>(b.fingers), 1.0, 2.0},
+                        {"fingerSpacing_m", b.fingerSpacing_m, 0.008, 0.05},
+                        {"bandLow_N", b.bandLow_N, 0.05, 10.0},
+                        {"bandHigh_N", b.bandHigh_N, b.bandLow_N, 20.0}});
 }
 
 } // namespace
 
 std::span<const std::string_view> palpationOperatorNames() noexcept {
-    return kNames;
+    return kOperators.names();
 }
 
 core::Result<PalpationOperatorSettings> palpationOperatorSettings(std::string_view name) {
-    const std::array<PalpationOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name)
-            return makers[i]();
-    return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) +
-                          "' is unknown; expected novice, intermediate, expert or unsafe");
+    return kOperators.settings(name);
 }
 
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>

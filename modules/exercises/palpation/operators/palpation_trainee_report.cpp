@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/palpation/operators/palpation_trainee.h"
 
-#include "core/report_word.h"
 #include "core/units.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace chiron::operators {
 
-using core::ReportField;
 using core::Vec2;
+using simulation::ReportField;
 
 namespace {
 // Habits that all operators share: assumptions.
@@ -38,7 +38,7 @@ double feltRadius(const Suspicion& found) {
 
 std::uint32_t PalpationTrainee::wordAbout(const Suspicion& found, int word) const noexcept {
     const auto say = [](ReportField field, long value) {
-        return core::reportButtons(core::reportWord(field, static_cast<unsigned>(value)));
+        return core::reportButtons(simulation::reportWord(field, static_cast<unsigned>(value)));
     };
     if (word == kMark)
         return core::kButtonMark;
@@ -102,7 +102,7 @@ void PalpationTrainee::goToMark(std::size_t hand) noexcept {
 /// Goes to each finding, marks it and states what is asked; at the end it reports that there are no more.
 void PalpationTrainee::report() noexcept {
     if (m_reporting >= m_found) {
-        if (pressed(0, core::reportButtons(core::reportWord(ReportField::done, 0))))
+        if (pressed(0, core::reportButtons(simulation::reportWord(ReportField::done, 0))))
             begin(Doing::done);
         return;
     }

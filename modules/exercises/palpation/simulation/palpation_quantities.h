@@ -11,7 +11,7 @@ namespace chiron::simulation {
 /// squeeze_1_N where the jaws squeeze (PalpationParameters::pinch).
 namespace palpation_quantity {
 /// Number of reports in this trial so far. When it rises by one, the next six values describe that report:
-/// its field (core::ReportField), the finding that it is about, its value as in the report word, and the
+/// its field (ReportField), the finding that it is about, its value as in the report word, and the
 /// finding's position on the surface (W). There is at most one report every 10 ms; further ones wait.
 inline constexpr std::size_t kReportCount = 0;
 inline constexpr std::size_t kReportField = 1;

@@ -7,7 +7,6 @@
 
 namespace chiron::simulation {
 
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
@@ -24,100 +23,51 @@ void PalpationScene::respond(const realtime::HapticTick&, const SceneInput& in, 
     out = SceneOutput{};
     const int count = std::clamp(in.tools.count, 0, core::kMaxTools);
     m_buttons.follow(in.tools, count);
-    advance(in, out);
+    const TrialCourse::Turn turn = m_course.advance(in, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare();
+    if (turn == TrialCourse::Turn::leaves)
+        leave();
     touch(in, count, out);
-    if (m_phase == TrialPhase::running && !in.paused && !m_trialOver) {
+    if (turn == TrialCourse::Turn::runs) {
         follow(in);
         endTrial(out);
     }
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
-    if (tissuePresent())
+    m_course.write(in, out);
+    if (m_course.present())
         fillQuantities(out);
-    fillCues(in, out);
+    fillCues(out);
 }
 
-void PalpationScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
-    if (in.paused)
-        return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started)
-            enterReady(out);
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            out.events |= bits::kTrialStarted;
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        else
-            ++m_clock;
-        break;
-    case TrialPhase::between:
-        if (m_clock >= m_betweenTicks) {
-            ++m_trial;
-            enterReady(out);
-        } else {
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::finished:
-        break;
-    }
-}
-
-void PalpationScene::enterReady(SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trialOver = false;
+void PalpationScene::prepare() noexcept {
     m_moved = false;
     m_findings.clear();
     m_waiting.clear();
     m_nextReport = 0;
     m_map.clear();
     m_told.fill(0.0);
-    m_tissue.setLumps(m_trials[m_trial].list());
-    out.events |= bits::kSceneChanged;
+    m_tissue.setLumps(m_trials[m_course.trial()].list());
 }
 
-void PalpationScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
+void PalpationScene::leave() noexcept {
     for (Finger& finger : m_fingers)
         finger.touch.release();
-    if (m_trial + 1 < m_trials.size()) {
-        m_phase = TrialPhase::between;
-        return;
-    }
-    m_phase = TrialPhase::finished;
-    out.events |= bits::kFinished;
 }
 
 void PalpationScene::endTrial(SceneOutput& out) noexcept {
     if (m_findings.done())
-        out.events |= bits::kCompleted;
-    else if (m_clock >= m_limitTicks && m_waiting.empty() && m_clock >= m_nextReport)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
-}
-
-bool PalpationScene::tissuePresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+        m_course.end(bits::kCompleted, out);
+    else if (m_course.timeIsUp() && m_waiting.empty() && m_course.clock() >= m_nextReport)
+        m_course.end(bits::kTimedOut, out);
 }
 
 void PalpationScene::moveLumps() noexcept {
-    if (m_moveTicks == 0 || m_moved || m_clock < m_moveTicks)
+    if (m_moveTicks == 0 || m_moved || m_course.clock() < m_moveTicks)
         return;
     if (std::any_of(m_fingers.begin(), m_fingers.end(),
                     [](const Finger& finger) { return finger.response.inContact; }))
         return;
-    PalpationTrial moved = m_trials[m_trial];
+    PalpationTrial moved = m_trials[m_course.trial()];
     for (Lump& lump : moved.lump)
         lump.place_m = palpationMovedPlace_m(m_parameters, lump.place_m);
     m_tissue.setLumps(moved.list());
@@ -181,7 +131,7 @@ void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) no
         const core::ToolState& tool = tools.tools[i];
         const bool there = static_cast<int>(i) < count;
         // A pose that is not finite touches nothing; the supervisor deals with the sample.
-        finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() &&
+        finger.used = there && m_course.present() && tool.p_WT.allFinite() && tool.v_WT.allFinite() &&
                       tool.q_WT.coeffs().allFinite();
         if (finger.used) {
             touchWith(finger, hasJaw(i), tool, in.dampingBudget_Ns_per_m[i]);
@@ -211,7 +161,7 @@ void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) no
 void PalpationScene::follow(const SceneInput& in) noexcept {
     search();
     moveLumps();
-    if (m_clock <= m_limitTicks)
+    if (m_course.clock() <= m_course.limit_ticks())
         takeReports(in);
     passReport();
 }

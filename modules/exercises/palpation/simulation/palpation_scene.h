@@ -9,6 +9,7 @@
 #include "simulation/palpation/tissue_contact.h"
 #include "simulation/palpation/tissue_pinch.h"
 #include "simulation/scene.h"
+#include "simulation/trial_course.h"
 
 #include <algorithm>
 #include <array>
@@ -17,16 +18,9 @@
 
 namespace chiron::simulation {
 
-/// The running palpation exercise (P3; models.md §3). The task moves through these states, one trial after
-/// the other:
-///
-///   idle --started--> ready --forceReady--> running --`done` or limit--> between --betweenTrials_s--> ready
-///   ... finished
-///
-/// kSceneChanged comes with the first tick of `ready`, kTrialStarted with the first running one, kCompleted
-/// (the report `done`) or kTimedOut with the last one, which still has the tissue, and kFinished with the
-/// first tick of `finished`. In idle, between and finished there is no tissue, and force is zero. There is no
-/// kMarked, because it would end the trial for any reader of the recording.
+/// The running palpation exercise (P3; models.md §3). The trials follow the course of TrialCourse; kCompleted
+/// (the report `done`) or kTimedOut ends one. In idle, between and finished there is no tissue, and force is
+/// zero. There is no kMarked, because it would end the trial for any reader of the recording.
 ///
 /// A mark is a finding at the surface under the finger whose button was pressed. For the mark command it is
 /// the finger that presses hardest or, without contact, the one nearest to the surface. Report words come as
@@ -61,6 +55,7 @@ public:
     PalpationScene& operator=(const PalpationScene&) = delete;
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+    bool conservative() const noexcept override { return m_parameters.tissue.conservative(); }
 
     /// The truth, for scoring.
     const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; }
@@ -81,11 +76,9 @@ private:
         double squeeze_N = 0.0;
     };
 
-    void advance(const SceneInput& in, SceneOutput& out) noexcept;
-    void enterReady(SceneOutput& out) noexcept;
-    void leaveTrial(SceneOutput& out) noexcept;
+    void prepare() noexcept;
+    void leave() noexcept;
     void endTrial(SceneOutput& out) noexcept;
-    bool tissuePresent() const noexcept;
     void moveLumps() noexcept;
 
     void touch(const SceneInput& in, int count, SceneOutput& out) noexcept;
@@ -108,7 +101,7 @@ private:
 
     double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaws
     void fillQuantities(SceneOutput& out) const noexcept;
-    void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
+    void fillCues(SceneOutput& out) const noexcept;
     void showLumps(PalpationCues& cues) const noexcept;
     void showBars(PalpationCues& cues) const noexcept;
 
@@ -116,18 +109,13 @@ private:
     std::vector<PalpationTrial> m_trials;
     TissueContact m_tissue;
     SurfaceMap m_map;
-    std::uint64_t m_limitTicks;
-    std::uint64_t m_betweenTicks;
+    TrialCourse m_course;
     std::uint64_t m_moveTicks; ///< clock value at which the control moves the lumps; 0: never
     bool m_showsLumps;
     bool m_showsCoverage;
     bool m_showsBars;
 
-    core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, without pauses
-    bool m_trialOver = false;  ///< the previous tick ended the trial
-    bool m_moved = false;      ///< the control has moved this trial's lumps
+    bool m_moved = false; ///< the control has moved this trial's lumps
     std::array<Finger, core::kMaxTools> m_fingers{};
 
     FindingsBook m_findings;

@@ -2,13 +2,9 @@
 // Takes a person's reports and writes what the recording and the screen show of them. Runs in the tick.
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
 
-#include "core/units.h"
-
 #include <algorithm>
 
 namespace chiron::simulation {
-
-using core::ReportField;
 
 void PalpationScene::takeReports(const SceneInput& in) noexcept {
     for (std::size_t i = 0; i < m_fingers.size(); ++i) {
@@ -43,8 +39,8 @@ void PalpationScene::mark(const Finger& finger) noexcept {
 }
 
 void PalpationScene::report(std::uint16_t word) noexcept {
-    if (core::reportField(word) != ReportField::found) // a mark needs a position
-        m_waiting.put({core::reportField(word), core::reportValue(word), core::Vec3::Zero()});
+    if (reportField(word) != ReportField::found) // a mark needs a position
+        m_waiting.put({reportField(word), reportValue(word), core::Vec3::Zero()});
 }
 
 int PalpationScene::enter(const PalpationReport& report) noexcept {
@@ -54,10 +50,10 @@ int PalpationScene::enter(const PalpationReport& report) noexcept {
 }
 
 void PalpationScene::passReport() noexcept {
-    if (m_waiting.empty() || m_clock < m_nextReport)
+    if (m_waiting.empty() || m_course.clock() < m_nextReport)
         return;
     namespace q = palpation_quantity;
-    m_nextReport = m_clock + kReportTicks;
+    m_nextReport = m_course.clock() + kReportTicks;
     const PalpationReport next = m_waiting.take();
     std::array<double, 3> place = {0.0, 0.0, 0.0};
     if (next.field == ReportField::remove && m_findings.has(static_cast<int>(next.value)))
@@ -103,7 +99,7 @@ void PalpationScene::showLumps(PalpationCues& cues) const noexcept {
         const core::Vec3 p_W = m_tissue.lumpCentre_W(i);
         LumpCue& cue = cues.lump[static_cast<std::size_t>(i)];
         cue.p_W = {p_W.x(), p_W.y(), p_W.z()};
-        cue.radius_m = m_trials[m_trial].lump[static_cast<std::size_t>(i)].radius_m;
+        cue.radius_m = m_trials[m_course.trial()].lump[static_cast<std::size_t>(i)].radius_m;
     }
 }
 
@@ -122,20 +118,16 @@ void PalpationScene::showBars(PalpationCues& cues) const noexcept {
         cues.squeeze_N[hand] = squeezeOf(hand);
 }
 
-void PalpationScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+void PalpationScene::fillCues(SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
-    cues.trial = static_cast<std::uint16_t>(m_trial);
-    cues.phase = m_phase;
-    cues.force = in.force;
     PalpationCues& shown = cues.exercise.own<PalpationCues>();
     shown.present = true;
     shown.asksSize = m_parameters.asksSize;
     shown.asksHardness = m_parameters.asksHardness;
     shown.asksConfidence = m_parameters.asksConfidence;
-    if (!tissuePresent())
+    if (!m_course.present())
         return;
-    cues.timeLeft_s =
-        static_cast<double>(m_limitTicks - std::min(m_limitTicks, m_clock)) * core::kTickSeconds;
+    cues.timeLeft_s = m_course.timeLeft_s();
     shown.finding = m_findings.list();
     shown.selected = m_findings.selected();
     if (m_showsLumps)

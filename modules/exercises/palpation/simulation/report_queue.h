@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/report_word.h"
 #include "core/tool_state.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/cues/report_word.h"
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace chiron::simulation {
 
 /// One report by a person that has not been taken yet.
 struct PalpationReport {
-    core::ReportField field = core::ReportField::done;
+    ReportField field = ReportField::done;
     unsigned value = 0;
     core::Vec3 p_W = core::Vec3::Zero(); ///< `found`: position on the surface at the time of the report
 };

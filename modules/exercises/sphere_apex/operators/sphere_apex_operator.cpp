@@ -6,21 +6,17 @@
 #include "modules/exercises/sphere_apex/operators/scripted_trainee.h"
 #include "modules/exercises/sphere_apex/operators/slope_crossings_technique.h"
 #include "modules/exercises/sphere_apex/operators/wander_technique.h"
+#include "operators/settings/operator_table.h"
+#include "operators/settings/setting_ranges.h"
 
-#include <array>
-#include <cmath>
-#include <string>
 #include <utility>
 
 namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"novice", "intermediate", "expert", "unsafe"};
-
 SphereApexOperatorSettings novice() {
     SphereApexOperatorSettings s;
-    s.name = "novice";
     s.technique = ApexTechniqueKind::wander;
     s.climbSpeed_m_per_s = 0.03;
     s.scanSpeed_m_per_s = 0.08;
@@ -37,7 +33,6 @@ SphereApexOperatorSettings novice() {
 
 SphereApexOperatorSettings intermediate() {
     SphereApexOperatorSettings s;
-    s.name = "intermediate";
     s.technique = ApexTechniqueKind::midpoints;
     s.climbSpeed_m_per_s = 0.030;
     s.sweepSpeed_m_per_s = 0.018;
@@ -47,7 +42,6 @@ SphereApexOperatorSettings intermediate() {
 
 SphereApexOperatorSettings expert() {
     SphereApexOperatorSettings s;
-    s.name = "expert";
     s.technique = ApexTechniqueKind::slopeCrossings;
     // When it scans into the side of a ball that it does not expect, it moves on for its reaction delay
     // (0.18 s) and the time that it needs to be sure (0.1 s). At this speed the arm (300 N/m) then presses
@@ -62,7 +56,6 @@ SphereApexOperatorSettings expert() {
 
 SphereApexOperatorSettings unsafe() {
     SphereApexOperatorSettings s = novice();
-    s.name = "unsafe";
     s.hand = mechanisms::HandParameters::firm();
     s.reachSpeed_m_per_s = 0.25;
     s.lowerSpeed_m_per_s = 0.08;
@@ -75,39 +68,31 @@ SphereApexOperatorSettings unsafe() {
     return s;
 }
 
+constexpr OperatorTable<SphereApexOperatorSettings, 4> kOperators(
+    {{"novice", &novice}, {"intermediate", &intermediate}, {"expert", &expert}, {"unsafe", &unsafe}});
+
 core::Result<void> check(const SphereApexOperatorSettings& s) {
-    struct Range {
-        const char* name;
-        double value, low, high;
-    };
-    const std::array<Range, 21> ranges{{{"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.01, 0.8},
-                                        {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.005, 0.5},
-                                        {"scanSpeed_m_per_s", s.scanSpeed_m_per_s, 0.01, 0.5},
-                                        {"climbSpeed_m_per_s", s.climbSpeed_m_per_s, 0.005, 0.2},
-                                        {"sweepSpeed_m_per_s", s.sweepSpeed_m_per_s, 0.002, 0.3},
-                                        {"startHeight_m", s.startHeight_m, 0.0, 0.09},
-                                        {"scanRadius_m", s.scanRadius_m, 0.01, 0.08},
-                                        {"scanHeight_m", s.scanHeight_m, 0.002, 0.04},
-                                        {"scanSpacing_m", s.scanSpacing_m, 0.002, 0.08},
-                                        {"force_N", s.force_N, 0.1, 20.0},
-                                        {"pressDepth_m", s.pressDepth_m, 0.0, 0.05},
-                                        {"forceGain_m_per_Ns", s.forceGain_m_per_Ns, 0.001, 0.1},
-                                        {"topSlope", s.topSlope, 0.05, 2.0},
-                                        {"edgeSlope", s.edgeSlope, 0.1, 5.0},
-                                        {"sweepHalfWidth_m", s.sweepHalfWidth_m, 0.002, 0.03},
-                                        {"crosses", static_cast<double>(s.crosses), 1.0, 6.0},
-                                        {"wanderRadius_m", s.wanderRadius_m, 0.002, 0.04},
-                                        {"wanderTime_s", s.wanderTime_s, 0.5, 60.0},
-                                        {"settle_s", s.settle_s, 0.0, 5.0},
-                                        {"patience_s", s.patience_s, 1.0, 600.0},
-                                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
-    for (const Range& range : ranges)
-        if (!(range.value >= range.low && range.value <= range.high))
-            return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
-                                                             std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " +
-                                                             std::to_string(range.high));
-    return {};
+    return checkRanges({{"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.01, 0.8},
+                        {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.005, 0.5},
+                        {"scanSpeed_m_per_s", s.scanSpeed_m_per_s, 0.01, 0.5},
+                        {"climbSpeed_m_per_s", s.climbSpeed_m_per_s, 0.005, 0.2},
+                        {"sweepSpeed_m_per_s", s.sweepSpeed_m_per_s, 0.002, 0.3},
+                        {"startHeight_m", s.startHeight_m, 0.0, 0.09},
+                        {"scanRadius_m", s.scanRadius_m, 0.01, 0.08},
+                        {"scanHeight_m", s.scanHeight_m, 0.002, 0.04},
+                        {"scanSpacing_m", s.scanSpacing_m, 0.002, 0.08},
+                        {"force_N", s.force_N, 0.1, 20.0},
+                        {"pressDepth_m", s.pressDepth_m, 0.0, 0.05},
+                        {"forceGain_m_per_Ns", s.forceGain_m_per_Ns, 0.001, 0.1},
+                        {"topSlope", s.topSlope, 0.05, 2.0},
+                        {"edgeSlope", s.edgeSlope, 0.1, 5.0},
+                        {"sweepHalfWidth_m", s.sweepHalfWidth_m, 0.002, 0.03},
+                        {"crosses", static_cast<double>(s.crosses), 1.0, 6.0},
+                        {"wanderRadius_m", s.wanderRadius_m, 0.002, 0.04},
+                        {"wanderTime_s", s.wanderTime_s, 0.5, 60.0},
+                        {"settle_s", s.settle_s, 0.0, 5.0},
+                        {"patience_s", s.patience_s, 1.0, 600.0},
+                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}});
 }
 
 std::unique_ptr<ApexTechnique> makeTechnique(const SphereApexOperatorSettings& settings, std::uint64_t seed) {
@@ -125,17 +110,11 @@ std::unique_ptr<ApexTechnique> makeTechnique(const SphereApexOperatorSettings& s
 } // namespace
 
 std::span<const std::string_view> sphereApexOperatorNames() noexcept {
-    return kNames;
+    return kOperators.names();
 }
 
 core::Result<SphereApexOperatorSettings> sphereApexOperatorSettings(std::string_view name) {
-    const std::array<SphereApexOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name)
-            return makers[i]();
-    return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) +
-                          "' is unknown; expected novice, intermediate, expert or unsafe");
+    return kOperators.settings(name);
 }
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeSphereApexOperator(std::string_view name,

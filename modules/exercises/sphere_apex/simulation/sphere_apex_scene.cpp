@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
-#include "core/laparoscopy_cues.h"
 #include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace chiron::simulation {
 
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput& in,
@@ -19,52 +18,29 @@ void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput&
     if (m_dome && m_dome->update(now.index(), in.slow))
         out.events |= bits::kSlowApplied;
     touch(in, out);
-    if (m_dome && objectPresent())
+    if (m_dome && m_course.present())
         m_dome->ask(now.index());
     if (const DeformableOrgan* organ = m_dome ? m_dome->organ() : nullptr;
-        organ != nullptr && objectPresent()) {
+        organ != nullptr && m_course.present()) {
         out.quantities[apex_quantity::kPredictionError] = organ->predictionError().predicted_m;
         out.quantities[apex_quantity::kHeldError] = organ->predictionError().held_m;
     }
-    out.trial = static_cast<std::uint16_t>(m_trial);
-    out.phase = m_phase;
-    fillCues(in, out);
+    m_course.write(in, out);
+    fillCues(out);
 }
 
 void SphereApexScene::advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept {
     const bool pressed =
         markPressed(in); // called in every tick, so that an edge during a pause is seen and ignored
-    if (in.paused)
+    const TrialCourse::Turn turn = m_course.advance(in, out);
+    if (turn == TrialCourse::Turn::prepares)
+        prepare(tick);
+    if (turn != TrialCourse::Turn::runs)
         return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started)
-            enterReady(tick, out);
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            out.events |= bits::kTrialStarted;
-            runTrial(pressed, out);
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver)
-            leaveTrial(out);
-        else
-            runTrial(pressed, out);
-        break;
-    case TrialPhase::between:
-        if (m_clock >= m_betweenTicks) {
-            ++m_trial;
-            enterReady(tick, out);
-        } else {
-            ++m_clock;
-        }
-        break;
-    case TrialPhase::finished:
-        break;
-    }
+    if (pressed)
+        m_course.end(bits::kMarked, out);
+    else if (m_course.timeIsUp())
+        m_course.end(bits::kTimedOut, out);
 }
 
 bool SphereApexScene::markPressed(const SceneInput& in) noexcept {
@@ -74,40 +50,11 @@ bool SphereApexScene::markPressed(const SceneInput& in) noexcept {
     return edge || in.mark;
 }
 
-void SphereApexScene::enterReady(std::uint64_t tick, SceneOutput& out) noexcept {
-    m_phase = TrialPhase::ready;
-    m_clock = 0;
-    m_trialOver = false;
-    m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_trial]));
+void SphereApexScene::prepare(std::uint64_t tick) noexcept {
+    m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_course.trial()]));
     m_yields.fill(ContactYield(m_parameters.yield));
     if (m_dome)
-        m_dome->begin(m_trial, tick);
-    out.events |= bits::kSceneChanged;
-}
-
-void SphereApexScene::runTrial(bool pressed, SceneOutput& out) noexcept {
-    ++m_clock;
-    if (pressed)
-        out.events |= bits::kMarked;
-    else if (m_clock >= m_limitTicks)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
-}
-
-void SphereApexScene::leaveTrial(SceneOutput& out) noexcept {
-    m_clock = 1; // this tick is the first of the interval
-    if (m_trial + 1 < m_trials.size()) {
-        m_phase = TrialPhase::between;
-        return;
-    }
-    m_phase = TrialPhase::finished;
-    out.events |= bits::kFinished;
-}
-
-bool SphereApexScene::objectPresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+        m_dome->begin(m_course.trial(), tick);
 }
 
 /// Bounds how fast the force changes with position in any direction. The ball's force turns with the nearest
@@ -132,9 +79,13 @@ ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolSt
     ContactYield& yield = m_yields[tool];
     if (response.inContact)
         response.stiffness_N_per_m = steepest(response, state.p_WT);
-    const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
-    scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
+    const bool tooDeep = response.depth_m > kDeepestShare * m_parameters.radius_m;
+    const double holds = yield.step(response.force.norm(), !response.inContact, yield.everYields() && tooDeep,
+                                    core::kTickSeconds);
+    scale(response, holds);
     response.bits = yield.bits();
+    if (tooDeep && holds > 0.0) // earlier content has no yield force, and its dome never gives way
+        response.bits |= core::contact_bits::kBeyondChecked;
     return response;
 }
 
@@ -159,7 +110,7 @@ void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
         const bool used = i < static_cast<std::size_t>(count);
         const core::ToolState& tool = tools.tools[i];
         // A pose that is not finite must not stay in the bristle; the supervisor deals with the sample.
-        if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
+        if (used && m_course.present() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
             response = touchWith(i, tool, in.dampingBudget_Ns_per_m[i]);
             out.p_WProxy[i] = response.surfacePoint;
         } else {
@@ -182,22 +133,19 @@ void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     }
 }
 
-void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+void SphereApexScene::fillCues(SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
-    cues.trial = static_cast<std::uint16_t>(m_trial);
-    cues.phase = m_phase;
-    cues.force = in.force;
-    if (!objectPresent())
+    if (!m_course.present())
         return;
-    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    cues.timeLeft_s = m_course.timeLeft_s();
     if (!m_showsObject)
         return;
-    const core::Vec2& centre = m_trials[m_trial].centre_m;
+    const core::Vec2& centre = m_trials[m_course.trial()].centre_m;
     cues.objectShown = true;
     cues.p_WObject = core::Vec3(centre.x(), centre.y(), m_parameters.planeHeight_m);
     cues.objectRadius_m = m_parameters.radius_m;
     if (m_dome) { // its bumps lie elsewhere in each trial, because it is rotated about the vertical
-        const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
+        const double half_rad = 0.5 * m_trials[m_course.trial()].turn_rad;
         cues.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(half_rad), 0.0, 0.0,
                                                                   std::sin(half_rad)};
     }

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
-#include "core/units.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
+#include "simulation/scene_setup.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace chiron::simulation {
 
-namespace {
-
-std::uint64_t ticks(double seconds) {
-    return static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / core::kTickSeconds));
-}
-
-} // namespace
-
 SphereApexScene::SphereApexScene(const SphereApexParameters& parameters, std::uint64_t seed)
     : m_parameters(parameters), m_trials(planSphereApexTrials(parameters, seed)),
-      m_limitTicks(std::max<std::uint64_t>(1, ticks(parameters.trialLimit_s))),
-      m_betweenTicks(std::max<std::uint64_t>(1, ticks(parameters.betweenTrials_s))),
-      m_showsObject(std::find(parameters.cues.begin(), parameters.cues.end(), "object") !=
-                    parameters.cues.end()) {
+      m_course(m_trials.size(), ticksOf(parameters.trialLimit_s), ticksOf(parameters.betweenTrials_s)),
+      m_showsObject(hasCue(parameters.cues, "object")) {
     if (parameters.surface == ApexSurface::exact)
         return;
     // Content was checked by making its dome (sphere_apex_content.cpp). For unchecked parameters that make no

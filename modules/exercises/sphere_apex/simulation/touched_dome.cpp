@@ -9,9 +9,6 @@ namespace chiron::simulation {
 
 namespace {
 
-/// Depth down to which contact with meshes has been checked (geometry/mesh/README.md).
-constexpr double kChecked_m = 0.006;
-
 core::Vec3 turned(double cosine, double sine, const core::Vec3& v) noexcept {
     return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y(), v.z()};
 }
@@ -153,7 +150,7 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     ContactResponse response;
     response.surfacePoint = p_WT;
     response.bits = state.yield.bits();
-    if (std::max(felt.depth_m, state.felt.geometric_m()) > kChecked_m)
+    if (std::max(felt.depth_m, state.felt.geometric_m()) > kCheckedContactDepth_m)
         response.bits |= core::contact_bits::kBeyondChecked;
     OrganTouch& touch = m_touches[tool];
     touch.touching = felt.inContact && !state.onPlane && holds > 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/procedure_stage.h"
+#include "cues/procedure_stage.h"
 
 #include <array>
 #include <cstdint>

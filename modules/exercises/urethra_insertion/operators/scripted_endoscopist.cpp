@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
 
-#include "core/procedure_stage.h"
 #include "core/units.h"
+#include "cues/procedure_stage.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>

@@ -3,19 +3,15 @@
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
-
-#include <array>
-#include <string>
+#include "operators/settings/operator_table.h"
+#include "operators/settings/setting_ranges.h"
 
 namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"novice", "intermediate", "expert", "unsafe", "hesitant"};
-
 UrethraInsertionOperatorSettings novice() {
     UrethraInsertionOperatorSettings s;
-    s.name = "novice";
     s.steering = SteeringKind::centresLate;
     s.insertSpeed_m_per_s = 0.012;
     s.withdrawSpeed_m_per_s = 0.015;
@@ -41,7 +37,6 @@ UrethraInsertionOperatorSettings novice() {
 
 UrethraInsertionOperatorSettings intermediate() {
     UrethraInsertionOperatorSettings s;
-    s.name = "intermediate";
     s.steering = SteeringKind::centres;
     s.insertSpeed_m_per_s = 0.009;
     s.withdrawSpeed_m_per_s = 0.010;
@@ -66,7 +61,6 @@ UrethraInsertionOperatorSettings expert() {
 
 UrethraInsertionOperatorSettings unsafe() {
     UrethraInsertionOperatorSettings s = novice();
-    s.name = "unsafe";
     s.hand = mechanisms::HandParameters::firm();
     s.insertSpeed_m_per_s = 0.025;
     s.withdrawSpeed_m_per_s = 0.025;
@@ -82,59 +76,46 @@ UrethraInsertionOperatorSettings unsafe() {
 /// reversals are counted.
 UrethraInsertionOperatorSettings hesitant() {
     UrethraInsertionOperatorSettings s = intermediate();
-    s.name = "hesitant";
     s.drawsBackAt_N = 0.4;
     return s;
 }
 
+constexpr OperatorTable<UrethraInsertionOperatorSettings, 5> kOperators({{"novice", &novice},
+                                                                         {"intermediate", &intermediate},
+                                                                         {"expert", &expert},
+                                                                         {"unsafe", &unsafe},
+                                                                         {"hesitant", &hesitant}});
+
 core::Result<void> check(const UrethraInsertionOperatorSettings& s) {
-    struct Range {
-        const char* name;
-        double value, low, high;
-    };
-    const std::array<Range, 19> ranges{{{"insertSpeed_m_per_s", s.insertSpeed_m_per_s, 0.001, 0.1},
-                                        {"withdrawSpeed_m_per_s", s.withdrawSpeed_m_per_s, 0.001, 0.1},
-                                        {"curveGain", s.curveGain, 0.2, 3.0},
-                                        {"turnGain_per_s", s.turnGain_per_s, 0.1, 5.0},
-                                        {"turnRate_rad_per_s", s.turnRate_rad_per_s, 0.05, 2.0},
-                                        {"deadZone_rad", s.deadZone_rad, 0.0, 1.0},
-                                        {"overshoot_rad", s.overshoot_rad, 0.0, 0.5},
-                                        {"stopAngle_rad", s.stopAngle_rad, 0.1, 3.2},
-                                        {"pushLimit_N", s.pushLimit_N, 0.2, 20.0},
-                                        {"acrossLimit_N", s.acrossLimit_N, 0.2, 20.0},
-                                        {"reliefGain_m_per_Ns", s.reliefGain_m_per_Ns, 0.0, 0.05},
-                                        {"reliefTurn_rad_per_Nms", s.reliefTurn_rad_per_Nms, 0.0, 20.0},
-                                        {"lookRate_rad_per_s", s.lookRate_rad_per_s, 0.05, 2.0},
-                                        {"lookWithin_rad", s.lookWithin_rad, 0.01, 0.6},
-                                        {"searchAngle_rad", s.searchAngle_rad, 0.05, 0.6},
-                                        {"anticipation_s", s.anticipation_s, 0.0, 2.0},
-                                        {"centringGain_per_s", s.centringGain_per_s, 0.0, 3.0},
-                                        {"drawsBackAt_N", s.drawsBackAt_N, 0.0, 20.0},
-                                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
-    for (const Range& range : ranges)
-        if (!(range.value >= range.low && range.value <= range.high))
-            return core::fail(core::ErrorCode::badInput, std::string("operator: ") + range.name + " is " +
-                                                             std::to_string(range.value) + ", expected " +
-                                                             std::to_string(range.low) + " to " +
-                                                             std::to_string(range.high));
-    return {};
+    return checkRanges({{"insertSpeed_m_per_s", s.insertSpeed_m_per_s, 0.001, 0.1},
+                        {"withdrawSpeed_m_per_s", s.withdrawSpeed_m_per_s, 0.001, 0.1},
+                        {"curveGain", s.curveGain, 0.2, 3.0},
+                        {"turnGain_per_s", s.turnGain_per_s, 0.1, 5.0},
+                        {"turnRate_rad_per_s", s.turnRate_rad_per_s, 0.05, 2.0},
+                        {"deadZone_rad", s.deadZone_rad, 0.0, 1.0},
+                        {"overshoot_rad", s.overshoot_rad, 0.0, 0.5},
+                        {"stopAngle_rad", s.stopAngle_rad, 0.1, 3.2},
+                        {"pushLimit_N", s.pushLimit_N, 0.2, 20.0},
+                        {"acrossLimit_N", s.acrossLimit_N, 0.2, 20.0},
+                        {"reliefGain_m_per_Ns", s.reliefGain_m_per_Ns, 0.0, 0.05},
+                        {"reliefTurn_rad_per_Nms", s.reliefTurn_rad_per_Nms, 0.0, 20.0},
+                        {"lookRate_rad_per_s", s.lookRate_rad_per_s, 0.05, 2.0},
+                        {"lookWithin_rad", s.lookWithin_rad, 0.01, 0.6},
+                        {"searchAngle_rad", s.searchAngle_rad, 0.05, 0.6},
+                        {"anticipation_s", s.anticipation_s, 0.0, 2.0},
+                        {"centringGain_per_s", s.centringGain_per_s, 0.0, 3.0},
+                        {"drawsBackAt_N", s.drawsBackAt_N, 0.0, 20.0},
+                        {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}});
 }
 
 } // namespace
 
 std::span<const std::string_view> urethraInsertionOperatorNames() noexcept {
-    return kNames;
+    return kOperators.names();
 }
 
 core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(std::string_view name) {
-    const std::array<UrethraInsertionOperatorSettings (*)(), 5> makers{&novice, &intermediate, &expert,
-                                                                       &unsafe, &hesitant};
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        if (kNames[i] == name)
-            return makers[i]();
-    return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) +
-                          "' is unknown; expected novice, intermediate, expert, unsafe or hesitant");
+    return kOperators.settings(name);
 }
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/canal_reach.h"
+#include "modules/exercises/urethra_insertion/cues/canal_reach.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace chiron::simulation {
 /// it is out as soon as its tip is before the meatus again. To enter, the tip has to pass s = −ℓ, where the
 /// end of the beak is at the entrance and every force is still 0, within `radius_m` of the centre-line. A tip
 /// that passes there farther off is beside the canal, wherever it moves then. A tip that lies beyond that
-/// point before any movement was seen is in the canal if it is within core::kCanalReach_m. A radius of 0
+/// point before any movement was seen is in the canal if it is within kCanalReach_m. A radius of 0
 /// means that there is no meatus and everything is canal. Deterministic, fixed size.
 /// Thread: any.
 class MeatusGate {
@@ -26,7 +26,7 @@ public:
         if (s_m <= -m_beak_m) {
             m_inside = false;
         } else if (!m_known) {
-            m_inside = offset_m <= core::kCanalReach_m;
+            m_inside = offset_m <= kCanalReach_m;
         } else if (m_s_m <= -m_beak_m) {
             const double x = (-m_beak_m - m_s_m) / (s_m - m_s_m);
             m_inside = m_offset_m + x * (offset_m - m_offset_m) <= m_radius_m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/urethra_insertion/simulation/procedure_tracker.h"
 
-#include "core/canal_reach.h"
+#include "modules/exercises/urethra_insertion/cues/canal_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ ProcedureStep ProcedureTracker::advance(const ProcedureSample& now, std::uint64_
 }
 
 ProcedureStage ProcedureTracker::after(ProcedureStage stage, const ProcedureSample& now) const noexcept {
-    const bool inCanal = m_gate.inside() && now.offset_m <= core::kCanalReach_m;
+    const bool inCanal = m_gate.inside() && now.offset_m <= kCanalReach_m;
     const bool allSeen = m_seen == (std::uint32_t{1} << m_plan.landmarks) - 1;
     switch (stage) {
     case ProcedureStage::outside:

@@ -51,7 +51,7 @@ struct ProcedureStep {
 ///
 /// Stages only go forward: *outside* until s > −ℓ; *insertion* until s ≥ goal; *inspection* (if there are
 /// landmarks) until all are seen; *withdrawal* (if required) until s < −ℓ; *completed*. A tip farther than
-/// core::kCanalReach_m from the centre-line neither enters nor reaches the goal, because it is beside the
+/// kCanalReach_m from the centre-line neither enters nor reaches the goal, because it is beside the
 /// canal, and so is one that did not come through the meatus. The withdrawal may end at any distance from the
 /// centre-line: past the entrance the canal hangs free and follows the shaft, and beside it nothing is in the
 /// patient.

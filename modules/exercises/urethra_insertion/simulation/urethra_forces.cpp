@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
-#include "core/canal_reach.h"
+#include "modules/exercises/urethra_insertion/cues/canal_reach.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces_sections.h"
 #include "simulation/geometry/urethra/smoothstep.h"
 
@@ -64,7 +64,7 @@ struct FreeHold {
 FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot& foot) noexcept {
     FreeHold hold;
     const double offset = std::sqrt(foot.ex_m * foot.ex_m + foot.en_m * foot.en_m),
-                 beyond = offset - core::kCanalReach_m;
+                 beyond = offset - kCanalReach_m;
     if (!(tables.freeHold_N_per_m > 0.0 && beyond > 0.0))
         return hold;
     const double s = foot.at.s_m, in = (s + tables.ahead_m) / tables.freeRise_m,

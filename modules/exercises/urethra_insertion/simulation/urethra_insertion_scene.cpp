@@ -9,7 +9,6 @@
 
 namespace chiron::simulation {
 
-using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
@@ -35,9 +34,10 @@ void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInpu
                                     SceneOutput& out) noexcept {
     out = SceneOutput{};
     sense(in.tools, in.dampingBudget_Ns_per_m[0]);
-    advance(in, out);
+    if (m_course.advance(in, out) == TrialCourse::Turn::runs)
+        runTrial(out);
     answer(in.tools, out);
-    out.phase = m_phase;
+    m_course.write(in, out);
     fillCues(in, out);
 }
 
@@ -56,7 +56,7 @@ void UrethraInsertionScene::sense(const core::ToolStates& tools, double mostDamp
     m_motion.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
     m_response = m_forces.respond(m_motion);
     // Nothing is felt before the ramp of the force, so the tip counts as inside wherever it is brought in
-    if (m_phase != TrialPhase::running)
+    if (m_course.phase() != core::TrialPhase::running)
         m_gate.forget();
     m_gate.step(m_response.foot.at.s_m, std::hypot(m_response.foot.ex_m, m_response.foot.en_m));
 }
@@ -70,57 +70,18 @@ bool UrethraInsertionScene::beyondChecked() const noexcept {
                kCheckedTilt_rad * kRounding;
 }
 
-void UrethraInsertionScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
-    if (in.paused)
-        return;
-    switch (m_phase) {
-    case TrialPhase::idle:
-        if (in.started) {
-            m_phase = TrialPhase::ready;
-            out.events |= bits::kSceneChanged;
-        }
-        break;
-    case TrialPhase::ready:
-        if (in.forceReady) {
-            m_phase = TrialPhase::running;
-            out.events |= bits::kTrialStarted;
-            runTrial(out);
-        }
-        break;
-    case TrialPhase::running:
-        if (m_trialOver) {
-            m_phase = TrialPhase::finished;
-            out.events |= bits::kFinished;
-        } else {
-            runTrial(out);
-        }
-        break;
-    case TrialPhase::between:
-    case TrialPhase::finished:
-        break;
-    }
-}
-
 void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
-    ++m_clock;
     if (m_sensed) {
         const CentrelineFoot& foot = m_response.foot;
         const ProcedureStep step = m_tracker.advance(
             {foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
         out.events |= step.stageChanged ? bits::kStageChanged : 0u;
-        out.events |= step.seenNow != 0 ? bits::kLandmarkSeen : 0u;
+        out.events |= step.seenNow != 0 ? core::procedure_bits::kLandmarkSeen : 0u;
     }
     if (m_tracker.stage() == core::ProcedureStage::completed)
-        out.events |= bits::kCompleted;
-    else if (m_clock >= m_limitTicks)
-        out.events |= bits::kTimedOut;
-    else
-        return;
-    m_trialOver = true;
-}
-
-bool UrethraInsertionScene::patientPresent() const noexcept {
-    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+        m_course.end(bits::kCompleted, out);
+    else if (m_course.timeIsUp())
+        m_course.end(bits::kTimedOut, out);
 }
 
 void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& out) noexcept {
@@ -128,7 +89,7 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     out.tissue.count = count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
         out.p_WProxy[i] = tools.tools[i].p_WT;
-    const bool felt = m_sensed && patientPresent();
+    const bool felt = m_sensed && m_course.present();
     const bool touching = felt && m_response.touching && m_gate.inside();
     if (touching != m_touching)
         out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
@@ -160,16 +121,14 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
 void UrethraInsertionScene::fillCues(const SceneInput& in, SceneOutput& out) noexcept {
     core::VisibleCues& cues = out.cues;
     EndoscopeCues& own = cues.exercise.own<EndoscopeCues>();
-    cues.phase = m_phase;
-    cues.force = in.force;
     own.present = true;
     own.stage = m_tracker.stage();
     own.landmarks = static_cast<int>(m_tracker.plan().landmarks);
     own.landmarksSeen = m_tracker.seen();
     own.dwell = m_tracker.dwell();
-    if (!patientPresent())
+    if (!m_course.present())
         return;
-    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    cues.timeLeft_s = m_course.timeLeft_s();
     if (!m_sensed)
         return;
     own.depth_m = m_response.foot.at.s_m;

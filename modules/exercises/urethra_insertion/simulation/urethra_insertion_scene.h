@@ -7,6 +7,7 @@
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "simulation/scene.h"
+#include "simulation/trial_course.h"
 
 #include <cstdint>
 
@@ -14,20 +15,17 @@ namespace chiron::simulation {
 
 /// The running urethra insertion (models.md §1; P1). It converts the pose to the anatomy frame, computes
 /// forces and torques of the wall, converts them back to W, and keeps the procedure's task state. A session
-/// has one trial:
-///
-///   idle --started--> ready --forceReady--> running --procedure completed or limit--> finished
+/// has one trial, which follows the course of TrialCourse:
 ///
 /// - In idle and finished there is no patient, nothing is touched, and the wrench is zero. In `ready` the
 ///   anatomy already produces forces, so the supervisor arms only while little force is requested; if the
 ///   endoscope lies inside at the start, the supervisor's ramp brings its force in.
-/// - kSceneChanged comes with the first tick of `ready`; `ready` lasts at least one tick more. kTrialStarted
-///   comes with the first running tick, kCompleted or kTimedOut with the last one: the frames from the one to
-///   the other are the trial. kFinished comes with the tick after. Completion in the tick of the time limit
-///   counts as completed. The mark button has no meaning here.
+/// - kCompleted or kTimedOut ends the trial. Completion in the tick of the time limit counts as completed.
+/// The
+///   mark button has no meaning here.
 /// - kStageChanged and kLandmarkSeen come from the ProcedureTracker, which advances by 1 ms in every running
 ///   tick.
-/// - Clocks and tracker stand still while paused; contact still produces forces (the supervisor ramps them).
+/// - The tracker, too, stands still while paused; contact still produces forces (the supervisor ramps them).
 /// - Tool 0 is the endoscope; other tools touch nothing.
 /// - The shaft enters only through the meatus (MeatusGate): before it and beside the canal there is no force.
 /// - The wall gives way at the level's yield force: a false passage. The felt force then falls along
@@ -54,9 +52,7 @@ public:
 private:
     void sense(const core::ToolStates& tools, double mostDamping_Ns_per_m) noexcept;
     bool beyondChecked() const noexcept;
-    void advance(const SceneInput& in, SceneOutput& out) noexcept;
     void runTrial(SceneOutput& out) noexcept;
-    bool patientPresent() const noexcept;
     void answer(const core::ToolStates& tools, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) noexcept;
     void fillPicture(const core::Quat& q_WT, EndoscopeCues& cues) noexcept;
@@ -71,15 +67,12 @@ private:
     DrawnTip m_drawn;
     LumenSight m_sight;
     ProcedureTracker m_tracker;
-    std::uint64_t m_limitTicks;
+    TrialCourse m_course;
     double m_cosHalfView;
     bool m_showsPicture;
     bool m_showsGuidance;
 
-    core::TrialPhase m_phase = core::TrialPhase::idle;
-    std::uint64_t m_clock = 0; ///< ticks that have run, without pauses
-    bool m_trialOver = false;  ///< the previous tick ended the trial
-    bool m_sensed = false;     ///< tool 0 exists and its pose is finite
+    bool m_sensed = false; ///< tool 0 exists and its pose is finite
     bool m_touching = false;
     EndoscopeMotion m_motion;
     UrethraResponse m_response;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
-#include "core/units.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
+#include "simulation/scene_setup.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace chiron::simulation {
@@ -12,10 +11,6 @@ namespace chiron::simulation {
 namespace {
 
 constexpr double kCheckedWall_m = 0.002;
-
-bool has(const std::vector<std::string>& cues, const char* cue) {
-    return std::find(cues.begin(), cues.end(), cue) != cues.end();
-}
 
 } // namespace
 
@@ -25,11 +20,10 @@ UrethraInsertionScene::UrethraInsertionScene(const UrethraInsertionParameters& p
       m_bladderCentre_A(bladderCentre_A(parameters.anatomy, m_forces.centreline())),
       m_bladderReach_m(parameters.anatomy.bladderRadius_m + kCheckedWall_m), m_drawn(parameters),
       m_sight(parameters), m_tracker(procedurePlan(parameters)),
-      m_limitTicks(static_cast<std::uint64_t>(
-          std::max<long long>(1, std::llround(std::max(0.0, parameters.trialLimit_s) / core::kTickSeconds)))),
+      m_course(1, ticksOf(parameters.trialLimit_s), 1),
       m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)),
-      m_showsPicture(has(parameters.cues, "object")),
-      m_showsGuidance(m_showsPicture && has(parameters.cues, "guidance")) {}
+      m_showsPicture(hasCue(parameters.cues, "object")),
+      m_showsGuidance(m_showsPicture && hasCue(parameters.cues, "guidance")) {}
 
 UrethraInsertionScene::~UrethraInsertionScene() = default;
 

@@ -35,15 +35,13 @@ core::Result<void> checkGenerator(const MeshSource& s) {
                                       {"halfAxisZ_m", s.halfAxisZ_m},
                                       {"edge_m", s.edge_m},
                                       {"bumpWavelength_m", s.bumpWavelength_m}})
-        if (auto ok = positive(name, value); !ok)
-            return ok;
+        CHIRON_TRY(positive(name, value));
     if (!(s.bumpHeight_m >= 0.0) || s.bumpHeight_m * 2.0 * core::kPi > s.bumpWavelength_m)
         return core::fail(core::ErrorCode::badInput,
                           "mesh: bumpHeight_m: " + std::to_string(s.bumpHeight_m) +
                               ", expected 0 to bumpWavelength_m / 2π (a slope of 1)");
     if (s.shape == MeshSource::Shape::dome) {
-        if (auto ok = positive("plateThickness_m", s.plateThickness_m); !ok)
-            return ok;
+        CHIRON_TRY(positive("plateThickness_m", s.plateThickness_m));
         if (!(s.plateRadius_m > s.halfAxisX_m + s.edge_m))
             return core::fail(core::ErrorCode::badInput,
                               "mesh: plateRadius_m: " + std::to_string(s.plateRadius_m) +

@@ -43,7 +43,7 @@ struct UrethraAnatomy {
     double wallRetardation_s = 0.0;
     double freeLength_m = 0.040; ///< s_B: the canal before this point is free to follow the shaft
     double freeBlend_m = 0.010;  ///< a(s) rises over s_B ± this
-    /// Stiffness that holds the free part to the body, beyond core::kCanalReach_m; 0: nothing holds it.
+    /// Stiffness that holds the free part to the body, beyond kCanalReach_m; 0: nothing holds it.
     double freeHold_N_per_m = 0.0;
     double angularStiffness_Nm_per_rad = 0.2; ///< k_φ at L
     double angularCorner_m = 0.005;           ///< corners of k_φ(s) are rounded over ± this

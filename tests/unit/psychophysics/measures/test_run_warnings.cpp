@@ -192,7 +192,12 @@ private slots:
         QVERIFY(says(0.02, 0.01, {priorBoundLow}) && says(0.01, 0.02, {priorBoundHigh}));
         QVERIFY(says(0.146, 0.01, {priorBoundLow}) && says(0.01, 0.146, {priorBoundHigh}));
         QVERIFY(says(0.147, 0.01, {priorEdgeLow}) && says(0.01, 0.147, {priorEdgeHigh}));
-        QVERIFY(says(0.9, 1.0, {priorEdgeHigh}) && says(1.0, 0.9, {priorEdgeLow}));
+        // Each end by itself: one that is cut off does not hide the other.
+        QVERIFY(says(0.9, 1.0, {priorEdgeLow, priorEdgeHigh}) &&
+                says(1.0, 0.9, {priorEdgeLow, priorEdgeHigh}));
+        QVERIFY(says(0.02, 0.02, {priorBoundLow, priorBoundHigh}));
+        QVERIFY(says(0.147, 0.02, {priorEdgeLow, priorBoundHigh}));
+        QVERIFY(says(0.02, 0.147, {priorBoundLow, priorEdgeHigh}));
         ThurstonePosterior posterior = quiet();
         posterior.known = false;
         posterior.densityAtHighSigma = 1.0;

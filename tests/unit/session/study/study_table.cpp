@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the tables of app/session/study/README.md: study_table noise [trials] | recovery [seeds] [attribute]
-// | legacy [seeds] | controls. Asserts nothing.
+// Prints what docs/results/study_table.md condenses: study_table noise [trials] | recovery [seeds]
+// [attribute] | legacy [seeds] | controls. Asserts nothing.
 #include "session/study/rendered_run.h"
 #include "support/study_designs.h"
 

@@ -143,7 +143,47 @@ private slots:
     void lostTicksAreSaid();
     void theFreeMinuteIsTheRunsToo();
     void theFreeMinuteEndsByItself();
+    void noLimitOfATrialEndsTheFreeMinute();
+    void aSessionThatEndsByItselfIsTold();
 };
+
+namespace {
+
+double limitOf(const session::LiveSitting& live) {
+    return live.level().parameters.as<simulation::SphereApexParameters>().trialLimit_s;
+}
+
+} // namespace
+
+void TestLiveApex::noLimitOfATrialEndsTheFreeMinute() {
+    psychophysics::StudyDesign of = design(3);
+    of.trial.exploreLimit_s = 5.0;
+    Site site(of);
+    auto asked = site.request();
+    asked.freeMinute_s = 60.0;
+    auto started = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(started);
+    session::LiveSitting& live = **started;
+    QVERIFY(limitOf(live) > 60.0);
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::trying, kPatience_ms);
+    QCOMPARE(live.view().timeLeft_s, 0.0);
+    live.endTrying();
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::exploring, kPatience_ms);
+    QCOMPARE(limitOf(live), 5.0); // of the trials
+    live.stop();
+    QTRY_VERIFY_WITH_TIMEOUT((live.poll(), live.finished()), kPatience_ms);
+}
+
+/// Without a presentation no further session is begun, and the end is told from a stop.
+void TestLiveApex::aSessionThatEndsByItselfIsTold() {
+    Site site(design(2));
+    const auto live = site.sit();
+    live->training().post(core::CommandKind::end);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QCOMPARE(live->sessions(), 1);
+    QVERIFY(live->result().has_value());
+    QVERIFY(!live->result()->completed && live->result()->endedByItself);
+}
 
 /// No sphere of a trial comes before somebody says so.
 void TestLiveApex::theFreeMinuteEndsByItself() {
@@ -264,7 +304,7 @@ void TestLiveApex::stopsAndGoesOnAtTheTrial() {
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
         live->stop();
         QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
-        QVERIFY(live->result() && !live->result()->completed);
+        QVERIFY(live->result() && !live->result()->completed && !live->result()->endedByItself);
     }
     auto trials = site.trials();
     QCOMPARE(trials.size(), std::size_t(2));

@@ -141,7 +141,10 @@ private slots:
     void anotherVersionNeverGoesOn();
     void theFreeMinuteIsOfNoTrial();
     void theFreeMinuteEndsByItself();
+    void noLimitOfATrialEndsTheFreeMinute();
     void stoppedInTheFreeMinute();
+    void betweenTrialsOfPracticeIsPractice();
+    void aSessionThatEndsByItselfIsTold();
     void practiceIsTakenBackAndRunAgain();
     void aHandThatMovesTooFastIsTold();
     void whatASittingNotesIsExported();
@@ -369,7 +372,7 @@ void TestLiveStudy::stopsWhilePaused() {
     live->stop();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     QVERIFY(live->result().has_value());
-    QVERIFY(!live->result()->completed);
+    QVERIFY(!live->result()->completed && !live->result()->endedByItself);
     // What was asked of the loop is recorded, from the start on.
     auto connection = site.fixture.database->openReader();
     const auto events = database::SessionReader(**connection, site.actor).events(live->result()->session);
@@ -524,9 +527,7 @@ void TestLiveStudy::theFreeMinuteIsOfNoTrial() {
 }
 
 void TestLiveStudy::theFreeMinuteEndsByItself() {
-    Site site(false, [](psychophysics::StudyDesign& design) {
-        design.trial.exploreLimit_s = 0.4;
-    }); // objects go and come again meanwhile
+    Site site;
     const auto live = site.sit(1.0);
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::tried, kPatience_ms);
@@ -539,6 +540,58 @@ void TestLiveStudy::theFreeMinuteEndsByItself() {
     live->endTrying();
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(storedTrials(site).empty());
+}
+
+/// Objects stay for all of it, however short a trial is: they were presented once.
+void TestLiveStudy::noLimitOfATrialEndsTheFreeMinute() {
+    Site site(false, [](psychophysics::StudyDesign& design) { design.trial.exploreLimit_s = 0.4; });
+    const auto live = site.sit(1.5);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::tried, kPatience_ms);
+    live->stop();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result().has_value());
+    auto connection = site.fixture.database->openReader();
+    const auto events = database::SessionReader(**connection, site.actor).events(live->result()->session);
+    QVERIFY(events.has_value());
+    QCOMPARE(std::count_if(events->begin(), events->end(),
+                           [](const auto& event) { return event.kind == "presented"; }),
+             1);
+}
+
+/// Whoever waits for the next objects of practice is not told that they count.
+void TestLiveStudy::betweenTrialsOfPracticeIsPractice() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.practiceTrials = 2;
+        design.trial.betweenTrials_s = 0.5;
+    });
+    const auto live = site.sit();
+    bool always = true;
+    const auto canAnswer = [&] {
+        live->poll();
+        always = always && live->view().practice;
+        return live->view().canAnswer;
+    };
+    for (int trial = 0; trial < 2; ++trial) {
+        QTRY_VERIFY_WITH_TIMEOUT(canAnswer(), kPatience_ms);
+        QVERIFY(always);
+        QVERIFY(live->answer(0).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().mayTakeBack), kPatience_ms);
+        live->goOn();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(!live->view().practice);
+}
+
+/// Nobody stopped it, and trials are left: that is another thing than a stop.
+void TestLiveStudy::aSessionThatEndsByItselfIsTold() {
+    Site site;
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    live->training().post(core::CommandKind::end);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result().has_value());
+    QVERIFY(!live->result()->completed && live->result()->endedByItself);
 }
 
 void TestLiveStudy::stoppedInTheFreeMinute() {

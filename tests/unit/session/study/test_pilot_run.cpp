@@ -61,6 +61,7 @@ class TestPilotRun : public QObject {
     Q_OBJECT
 private slots:
     void aPilotIsAMarkedCopy();
+    void titlesSayItInTheirLanguage();
     void noListHoldsIt();
     void whatWasPilotedStaysAsItWas();
     void aFaultyDraftIsNotTried();
@@ -93,6 +94,17 @@ void TestPilotRun::aPilotIsAMarkedCopy() {
     const auto run =
         session::conduct(*site.fixture.database, site.actor, *opened, design.conditions.front().id);
     QVERIFY2(run, run ? "" : run.error().message.c_str());
+}
+
+/// A title in a language that the program does not have says it in English.
+void TestPilotRun::titlesSayItInTheirLanguage() {
+    psychophysics::StudyDesign design = testing::rank3Study();
+    design.title = {{"en", "Tubes"}, {"de", "Schläuche"}, {"el", "Σωλήνες"}, {"xx", "Xyz"}};
+    const psychophysics::StudyDesign pilot = session::pilotDesign(design, "tubes_pilot_1");
+    QCOMPARE(pilot.title.at("en"), std::string("Pilot: Tubes"));
+    QCOMPARE(pilot.title.at("de"), std::string("Probelauf: Schläuche"));
+    QCOMPARE(pilot.title.at("el"), std::string("Πιλοτική δοκιμή: Σωλήνες"));
+    QCOMPARE(pilot.title.at("xx"), std::string("Pilot: Xyz"));
 }
 
 void TestPilotRun::noListHoldsIt() {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/comparison_words.h"
+
+namespace chiron::session_report {
+
+EndWords comparisonEnds() {
+    return {MarkTexts::tr("Answered"), MarkTexts::tr("The comparison was completed"),
+            MarkTexts::tr("Time was up without an answer"),
+            MarkTexts::tr("The comparison could no longer be completed"),
+            MarkTexts::tr("The object was damaged")};
+}
+
+} // namespace chiron::session_report

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/comparison/compared_object.h"
+
+#include <algorithm>
+
+namespace chiron::simulation {
+
+void ComparedObject::set(const ComparisonParameters& p, int place, double value,
+                         std::uint64_t seed) noexcept {
+    // A tube that is changed in a running trial was let go all the same.
+    const bool awayFirst = m_awayFirst && m_leaveBeforeAgain;
+    release();
+    m_awayFirst = awayFirst;
+    m_present = true;
+    m_attribute = p.attribute;
+    m_foot = core::Vec3(placeX_m(p, place), 0.0, 0.0);
+    m_height_m = p.hookHeight_m;
+    m_reach_m = p.hookReach_m;
+    m_leave_m = p.hookLeave_m;
+    m_leaveBeforeAgain = p.leaveBeforeAgain;
+    m_radius_m = p.padRadius_m;
+    m_edge_m = p.padEdge_m;
+    const ObjectAttributes& o = p.object;
+    switch (p.attribute) {
+    case ComparedAttribute::stiffness:
+        m_tube.elastic = {value, o.stiffening_per_m};
+        m_tube.viscosity_Ns_per_m = o.viscosity_Ns_per_m;
+        return;
+    case ComparedAttribute::mass:
+        m_mass_kg = value;
+        m_bed_N_per_m = std::max(1.0, o.stiffness_N_per_m);
+        m_bedDamping_Ns_per_m = o.damping_Ns_per_m;
+        return;
+    case ComparedAttribute::deformation:
+    case ComparedAttribute::roughness:
+    case ComparedAttribute::friction:
+    case ComparedAttribute::viscosity:
+        break;
+    }
+    ObjectAttributes pad; // its id stays short: this runs in the tick, and a long string would allocate
+    pad.stiffness_N_per_m = o.stiffness_N_per_m;
+    pad.stiffening_per_m = o.stiffening_per_m;
+    pad.recoveryTime_s = p.attribute == ComparedAttribute::deformation ? value : o.recoveryTime_s;
+    pad.recoveryShare = o.recoveryShare;
+    pad.roughness_m = p.attribute == ComparedAttribute::roughness ? value : o.roughness_m;
+    pad.roughnessWavelength_m = o.roughnessWavelength_m;
+    pad.roughnessSeed = seed;
+    pad.friction = p.attribute == ComparedAttribute::friction ? value : o.friction;
+    pad.bristleStiffness_N_per_m = o.bristleStiffness_N_per_m;
+    pad.viscosity_Ns_per_m = p.attribute == ComparedAttribute::viscosity ? value : o.viscosity_Ns_per_m;
+    pad.damping_Ns_per_m = o.damping_Ns_per_m;
+    m_pad = ObjectContact(pad);
+}
+
+} // namespace chiron::simulation
