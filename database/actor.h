@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace chiron::database {
 
@@ -29,8 +30,9 @@ public:
     static Actor maintenance() { return Actor(ActorKind::maintenance, 0, {}, {}, false); }
 
     ActorKind kind() const noexcept { return m_kind; }
-    PersonId personId() const noexcept { return m_person; } ///< 0 for anonymous and maintenance
-    const std::string& name() const noexcept { return m_name; }
+    PersonId personId() const noexcept { return m_person; }             ///< 0 for anonymous and maintenance
+    const std::string& name() const noexcept { return m_name; }         ///< the login name
+    const std::string& fullName() const noexcept { return m_fullName; } ///< at login; empty if there is none
     const RoleSet& roles() const noexcept { return m_roles; } ///< as they were at login; for display only
     /// Until it is changed, only changePassword is permitted.
     bool mustChangePassword() const noexcept { return m_mustChange; }
@@ -39,12 +41,15 @@ public:
 
 private:
     friend class AccountRepository;
-    Actor(ActorKind kind, PersonId person, std::string name, RoleSet roles, bool mustChange)
-        : m_kind(kind), m_person(person), m_name(std::move(name)), m_roles(roles), m_mustChange(mustChange) {}
+    Actor(ActorKind kind, PersonId person, std::string name, RoleSet roles, bool mustChange,
+          std::string fullName = {})
+        : m_kind(kind), m_person(person), m_name(std::move(name)), m_fullName(std::move(fullName)),
+          m_roles(roles), m_mustChange(mustChange) {}
 
     ActorKind m_kind;
     PersonId m_person;
     std::string m_name;
+    std::string m_fullName;
     RoleSet m_roles;
     bool m_mustChange;
 };

@@ -86,6 +86,33 @@
     </message>
 </context>
 <context>
+    <name>Advice</name>
+    <message>
+        <source>in trial %1</source>
+        <translation>in Durchgang %1</translation>
+    </message>
+    <message>
+        <source>in trial %1, %2 after it began</source>
+        <translation>in Durchgang %1, %2 nach dessen Beginn</translation>
+    </message>
+    <message>
+        <source>%1 after the start</source>
+        <translation>%1 nach dem Start</translation>
+    </message>
+    <message>
+        <source>at a depth of %1, %2</source>
+        <translation>in %1 Tiefe, %2</translation>
+    </message>
+    <message>
+        <source>It was worst %1: %2.</source>
+        <translation>Am schlechtesten war es %1: %2.</translation>
+    </message>
+    <message>
+        <source>It was worst %1.</source>
+        <translation>Am schlechtesten war es %1.</translation>
+    </message>
+</context>
+<context>
     <name>AnswerNote</name>
     <message>
         <source>Marked</source>
@@ -336,7 +363,7 @@
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Sitzungen zum Ansehen</translation>
+        <translation>Zu begutachtende Sitzungen</translation>
     </message>
     <message>
         <source>Comments</source>
@@ -1000,7 +1027,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
-        <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Termine.</translation>
+        <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Sitzungen.</translation>
     </message>
     <message>
         <source>Precision</source>
@@ -1778,7 +1805,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>fewer than three speed samples</source>
-        <translation>weniger als drei Geschwindigkeitswerte</translation>
+        <translation>weniger als drei Messpunkte der Geschwindigkeit</translation>
     </message>
     <message>
         <source>no jerk: speed changes evenly</source>
@@ -2054,7 +2081,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
-        <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als erlaubt gedrückt wurde, zählt nicht.</translation>
+        <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als bis zur Grenze gedrückt wurde, zählt nicht.</translation>
     </message>
     <message>
         <source>Lumps missed</source>
@@ -3223,7 +3250,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Force on hold: samples from the device came late</source>
-        <translation>Kraft vorübergehend aus: Daten des Geräts kamen verspätet</translation>
+        <translation>Kraft vorübergehend aus: Messpunkte des Geräts kamen verspätet</translation>
     </message>
     <message>
         <source>Fault: the device stopped sending data</source>
@@ -3347,7 +3374,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Off-centre for %1, up to %2</source>
-        <translation>%1 lang von der Mittellinie abgewichen, um bis zu %2</translation>
+        <translation>Auslenkung von der Mittellinie: %1 lang, bis zu %2</translation>
     </message>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
@@ -4219,7 +4246,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>False alarm rate</source>
-        <translation>Falschalarmrate</translation>
+        <translation>Fehlalarmrate</translation>
     </message>
     <message>
         <source>Hit rate</source>
@@ -5293,7 +5320,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
-        <translation>Klicken Sie oder drücken Sie Enter, während das Werkzeug an der Stelle ist.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter, während das Instrument an der Stelle ist.</translation>
     </message>
     <message>
         <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
@@ -5349,7 +5376,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
-        <translation>Senken Sie das Werkzeug in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring und heben es dann.</translation>
+        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring und heben es dann.</translation>
     </message>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
@@ -6568,10 +6595,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Threshold</source>
         <translation>Schwelle</translation>
-    </message>
-    <message>
-        <source>Noise (log10 σ)</source>
-        <translation>Rauschen (log10 σ)</translation>
     </message>
     <message>
         <source>Slope</source>
@@ -8281,7 +8304,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     </message>
     <message>
         <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
-        <translation>Von vorn beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
+        <translation>Von vorn neu beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
     </message>
     <message>
         <source>End the practice</source>
@@ -8509,6 +8532,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Reply</source>
         <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Practise it on level %1: %2</source>
+        <translation>Auf Stufe %1 üben: %2</translation>
     </message>
 </context>
 <context>
@@ -9800,7 +9827,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Sitzungen zum Ansehen</translation>
+        <translation>Zu begutachtende Sitzungen</translation>
     </message>
     <message>
         <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
@@ -10022,7 +10049,7 @@ If you have not trained yet, you can try an exercise here in about a minute. Tra
 The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
 
-Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Datensicherung und Arbeitsplatz in Ordnung sind.
+Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die zu begutachten sind, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Datensicherung und Arbeitsplatz in Ordnung sind.
 
 Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
     </message>
@@ -11349,10 +11376,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Punkt subjektiver Gleichheit</translation>
     </message>
     <message>
-        <source>Internal noise, log10</source>
-        <translation>Internes Rauschen, log10</translation>
-    </message>
-    <message>
         <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
         <translation>%1. %2. %3 gewertete Durchgänge, %4 wiederholt. %5</translation>
     </message>
@@ -11390,6 +11413,14 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
         <translation>Das Maskierungsgeräusch war in %1 von %2 Durchgängen nicht zu hören: Der Rechner hatte keine Tonausgabe.</translation>
+    </message>
+    <message>
+        <source>Internal noise</source>
+        <translation>Internes Rauschen</translation>
+    </message>
+    <message>
+        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <translation>Wie unterschiedlich sich ein und dasselbe Objekt von Mal zu Mal anfühlt (eine Standardabweichung).</translation>
     </message>
 </context>
 <context>
@@ -11464,7 +11495,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>A researcher or an administrator can run it here.</source>
-        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
+        <translation>Forschende oder die Administration können sie hier ausführen.</translation>
     </message>
     <message>
         <source>Passed.</source>
@@ -12039,14 +12070,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
     </message>
     <message>
-        <source>Paired: SD of the difference from person to person (log10)</source>
-        <translation>Gepaart: SD des Unterschieds von Person zu Person (log10)</translation>
-    </message>
-    <message>
-        <source>Two groups: SD between people (log10)</source>
-        <translation>Zwei Gruppen: SD zwischen Personen (log10)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Signifikanzniveau, zweiseitig</translation>
     </message>
@@ -12095,14 +12118,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Wie viele Personen verglichen werden.</translation>
     </message>
     <message>
-        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
-        <translation>Wie stark der Unterschied von Person zu Person streut: 0,05 entspricht dem Faktor 1,12.</translation>
-    </message>
-    <message>
-        <source>How much people vary: 0.15 is a factor of 1.41.</source>
-        <translation>Wie stark Personen streuen: 0,15 entspricht dem Faktor 1,41.</translation>
-    </message>
-    <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Wie oft ein Unterschied gefunden werden darf, wo keiner ist.</translation>
     </message>
@@ -12128,6 +12143,22 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>± one standard error</source>
         <translation>± ein Standardfehler</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person</source>
+        <translation>Gepaart: SD des Unterschieds von Person zu Person</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people</source>
+        <translation>Zwei Gruppen: SD zwischen Personen</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 12 % is a factor of 1.12.</source>
+        <translation>Wie stark der Unterschied von Person zu Person streut: 12 % entsprechen dem Faktor 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 40 % is a factor of 1.4.</source>
+        <translation>Wie stark Personen streuen: 40 % entsprechen dem Faktor 1,4.</translation>
     </message>
 </context>
 <context>
@@ -12612,7 +12643,7 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     </message>
     <message>
         <source>Usability score (0 to 100)</source>
-        <translation>Wert der Gebrauchstauglichkeit (0 bis 100)</translation>
+        <translation>Wertung der Gebrauchstauglichkeit (0 bis 100)</translation>
     </message>
     <message>
         <source>Workload (0 to 100)</source>
@@ -13908,7 +13939,7 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     </message>
     <message>
         <source>Until the study is unblinded, conditions go by sealed codes.</source>
-        <translation>Bis zur Entblindung tragen die Bedingungen versiegelte Codes.</translation>
+        <translation>Bis zur Entblindung der Studie tragen die Bedingungen versiegelte Codes.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -14978,7 +15009,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>A researcher or an administrator can run it here.</source>
-        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
+        <translation>Forschende oder die Administration können sie hier ausführen.</translation>
     </message>
 </context>
 <context>
@@ -16109,7 +16140,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>All measurements, or those a trainee needs</source>
-        <translation>Alle Messwerte oder die zum Üben nötigen</translation>
+        <translation>Alle Messwerte oder die für Lernende nötigen</translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -16641,7 +16672,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>%1 These objects come again. Lift the tool off.</source>
-        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Werkzeug ab.</translation>
+        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Instrument ab.</translation>
     </message>
     <message>
         <source>The next part</source>
@@ -16780,7 +16811,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
-        <translation>Bewegen Sie das Werkzeug mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
+        <translation>Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
     </message>
     <message>
         <source>In practice, Backspace takes an answer back.</source>
@@ -16812,11 +16843,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>You let go of the object. Raise the tool.</source>
-        <translation>Sie haben das Objekt losgelassen. Heben Sie das Werkzeug.</translation>
+        <translation>Sie haben das Objekt losgelassen. Heben Sie das Instrument.</translation>
     </message>
     <message>
         <source>You let go of %1. Raise the tool.</source>
-        <translation>Sie haben %1 losgelassen. Heben Sie das Werkzeug.</translation>
+        <translation>Sie haben %1 losgelassen. Heben Sie das Instrument.</translation>
     </message>
     <message>
         <source>You hold the object. Pull it up.</source>
@@ -16828,11 +16859,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
-        <translation>Sie halten das Objekt. Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring, dann heben Sie es.</translation>
+        <translation>Sie halten das Objekt. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
     </message>
     <message>
         <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
-        <translation>Sie halten %1. Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring, dann heben Sie es.</translation>
+        <translation>Sie halten %1. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
     </message>
     <message>
         <source>Touch next: %1.</source>
@@ -16888,7 +16919,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Everybody will then see the names of the conditions. It is recorded who unblinded the study, when and why. This cannot be undone.</source>
-        <translation>Alle sehen dann die Namen der Bedingungen. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
+        <translation>Alle sehen dann die Namen der Bedingungen. Festgehalten wird, wer die Studie wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -16954,7 +16985,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Die Person nimmt nicht weiter teil; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
+        <translation>Die Person scheidet aus der Studie aus; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>

@@ -86,6 +86,33 @@
     </message>
 </context>
 <context>
+    <name>Advice</name>
+    <message>
+        <source>in trial %1</source>
+        <translation>στη δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>in trial %1, %2 after it began</source>
+        <translation>στη δοκιμή %1, %2 μετά την έναρξή της</translation>
+    </message>
+    <message>
+        <source>%1 after the start</source>
+        <translation>%1 μετά την έναρξη</translation>
+    </message>
+    <message>
+        <source>at a depth of %1, %2</source>
+        <translation>σε βάθος %1, %2</translation>
+    </message>
+    <message>
+        <source>It was worst %1: %2.</source>
+        <translation>Το χειρότερο ήταν %1: %2.</translation>
+    </message>
+    <message>
+        <source>It was worst %1.</source>
+        <translation>Το χειρότερο ήταν %1.</translation>
+    </message>
+</context>
+<context>
     <name>AnswerNote</name>
     <message>
         <source>Marked</source>
@@ -336,7 +363,7 @@
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Συνεδρίες προς εξέταση</translation>
+        <translation>Συνεδρίες προς αξιολόγηση</translation>
     </message>
     <message>
         <source>Comments</source>
@@ -1706,7 +1733,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, left to right</source>
-        <translation>Μετατόπιση αριστερά-δεξιά</translation>
+        <translation>Μετατόπιση κορυφής, αριστερά-δεξιά</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
@@ -1714,7 +1741,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, front to back</source>
-        <translation>Μετατόπιση εμπρός-πίσω</translation>
+        <translation>Μετατόπιση κορυφής, εμπρός-πίσω</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
@@ -3275,7 +3302,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Force re-armed</source>
-        <translation>Επανενεργοποίηση δύναμης</translation>
+        <translation>Η δύναμη ενεργοποιήθηκε ξανά</translation>
     </message>
     <message>
         <source>The person ended the session</source>
@@ -5001,7 +5028,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Ticks more than 100 µs late, of %1</source>
-        <translation>Παλμοί με καθυστέρηση άνω των 100 µs, από %1</translation>
+        <translation>Κύκλοι με καθυστέρηση άνω των 100 µs, από %1</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -5009,19 +5036,19 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Ticks skipped</source>
-        <translation>Παλμοί που παραλείφθηκαν</translation>
+        <translation>Κύκλοι που παραλείφθηκαν</translation>
     </message>
     <message>
         <source>Lateness, half of the ticks</source>
-        <translation>Καθυστέρηση, οι μισοί παλμοί</translation>
+        <translation>Καθυστέρηση, οι μισοί κύκλοι</translation>
     </message>
     <message>
         <source>Lateness, 99 of 100 ticks</source>
-        <translation>Καθυστέρηση, 99 στους 100 παλμούς</translation>
+        <translation>Καθυστέρηση, 99 στους 100 κύκλους</translation>
     </message>
     <message>
         <source>Lateness, the latest tick</source>
-        <translation>Καθυστέρηση, ο πιο αργός παλμός</translation>
+        <translation>Καθυστέρηση, ο πιο αργός κύκλος</translation>
     </message>
     <message>
         <source>yes</source>
@@ -5064,11 +5091,11 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Force error by the platform&apos;s own sensors (root mean square)</source>
-        <translation>Σφάλμα δύναμης κατά τους αισθητήρες της πλατφόρμας (μέση τετραγωνική τιμή)</translation>
+        <translation>Σφάλμα δύναμης κατά τους αισθητήρες της πλατφόρμας (τετραγωνικός μέσος)</translation>
     </message>
     <message>
         <source>Force error on the finger pad (root mean square)</source>
-        <translation>Σφάλμα δύναμης στο ακροδάχτυλο (μέση τετραγωνική τιμή)</translation>
+        <translation>Σφάλμα δύναμης στο ακροδάχτυλο (τετραγωνικός μέσος)</translation>
     </message>
     <message>
         <source>Orientation error by the platform&apos;s own sensor</source>
@@ -5289,7 +5316,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
-        <translation>Πιέστε τη μύτη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
+        <translation>Πιέστε την άκρη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
     </message>
     <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
@@ -5297,7 +5324,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
-        <translation>Πατήστε το κουμπί της λαβής ή Enter όσο η μύτη βρίσκεται στο σημείο.</translation>
+        <translation>Πατήστε το κουμπί της λαβής ή Enter όσο η άκρη βρίσκεται στο σημείο.</translation>
     </message>
     <message>
         <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
@@ -5353,7 +5380,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
-        <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο και μετά σηκώστε τη.</translation>
+        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο και μετά σηκώστε την.</translation>
     </message>
     <message>
         <source>Press + and − until both seem the same, then Enter.</source>
@@ -5781,11 +5808,11 @@ Details: %2</source>
     </message>
     <message>
         <source>No mark yet</source>
-        <translation>Κανένα σημάδι ακόμη</translation>
+        <translation>Κανένα σημείο ακόμη</translation>
     </message>
     <message>
         <source>Marks around the true apex</source>
-        <translation>Σημάδια γύρω από την πραγματική κορυφή</translation>
+        <translation>Σημεία γύρω από την πραγματική κορυφή</translation>
     </message>
     <message>
         <source>Error in x (% of radius)</source>
@@ -5841,7 +5868,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Marks, participants</source>
-        <translation>Σημάδια, συμμετέχοντες</translation>
+        <translation>Σημεία, συμμετέχοντες</translation>
     </message>
     <message>
         <source>SD in x</source>
@@ -5861,13 +5888,13 @@ Details: %2</source>
     </message>
     <message>
         <source>There is no mark to summarise.</source>
-        <translation>Δεν υπάρχει κανένα σημάδι.</translation>
+        <translation>Δεν υπάρχει κανένα σημείο.</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) have no mark and are left out.</source>
         <translation>
-            <numerusform>%n δοκιμή χωρίς σημάδι παραλείπεται.</numerusform>
-            <numerusform>%n δοκιμές χωρίς σημάδι παραλείπονται.</numerusform>
+            <numerusform>%n δοκιμή χωρίς σημείο παραλείπεται.</numerusform>
+            <numerusform>%n δοκιμές χωρίς σημείο παραλείπονται.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5879,7 +5906,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Some participants have fewer than 10 marks.</source>
-        <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημάδια.</translation>
+        <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημεία.</translation>
     </message>
     <message>
         <source>Errors in x lean to one side: the absolute error is not only scatter.</source>
@@ -5892,22 +5919,22 @@ Details: %2</source>
     <message numerus="yes">
         <source>%n mark(s) lie off the sphere.</source>
         <translation>
-            <numerusform>%n σημάδι βρίσκεται εκτός της σφαίρας.</numerusform>
-            <numerusform>%n σημάδια βρίσκονται εκτός της σφαίρας.</numerusform>
+            <numerusform>%n σημείο βρίσκεται εκτός της σφαίρας.</numerusform>
+            <numerusform>%n σημεία βρίσκονται εκτός της σφαίρας.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
         <translation>
-            <numerusform>%n σημάδι προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
-            <numerusform>%n σημάδια προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημείο προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημεία προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) were set without touching anything.</source>
         <translation>
-            <numerusform>%n σημάδι τέθηκε χωρίς επαφή.</numerusform>
-            <numerusform>%n σημάδια τέθηκαν χωρίς επαφή.</numerusform>
+            <numerusform>%n σημείο τέθηκε χωρίς επαφή.</numerusform>
+            <numerusform>%n σημεία τέθηκαν χωρίς επαφή.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6220,7 +6247,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Errors of the marks</source>
-        <translation>Σφάλματα των σημαδιών</translation>
+        <translation>Σφάλματα των σημείων</translation>
     </message>
     <message>
         <source>Right: rankings with the whole order right (guessing gives 1 in 6, fewer with ties). τ: agreement with the true order (1 identical, 0 none). W: agreement among rankings (0 none, 1 complete). L: trend towards the true order. For a person, each ranking is one judgement; for the group, each person&apos;s mean ranks are one.</source>
@@ -6568,10 +6595,6 @@ Details: %2</source>
     <message>
         <source>Threshold</source>
         <translation>Κατώφλι</translation>
-    </message>
-    <message>
-        <source>Noise (log10 σ)</source>
-        <translation>Θόρυβος (log10 σ)</translation>
     </message>
     <message>
         <source>Slope</source>
@@ -6965,7 +6988,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -6993,7 +7016,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση ευρήματος: κλικ ή Enter.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση ευρήματος: κλικ ή Enter.</translation>
     </message>
     <message>
         <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
@@ -7519,7 +7542,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     <name>chiron::desktop::ApexPage</name>
     <message>
         <source>Nobody has done this condition yet. Each participant&apos;s marks will appear here after the first run.</source>
-        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημάδια κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
+        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημεία κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -7556,8 +7579,8 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message numerus="yes">
         <source>Per cent of the sphere&apos;s radius. %n mark(s)</source>
         <translation>
-            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδι</numerusform>
-            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδια</numerusform>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημείο</numerusform>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημεία</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7682,7 +7705,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Older ones are removed. Backups that you made yourself are never removed.</source>
-        <translation>Τα παλαιότερα αφαιρούνται. Όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
+        <translation>Τα παλαιότερα αφαιρούνται. Τα αντίγραφα που δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
     </message>
 </context>
 <context>
@@ -8510,6 +8533,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>Reply</source>
         <translation>Απάντηση</translation>
     </message>
+    <message>
+        <source>Practise it on level %1: %2</source>
+        <translation>Εξάσκηση στο επίπεδο %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -9194,7 +9221,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>marks</source>
-        <translation>σημάδια</translation>
+        <translation>σημεία</translation>
     </message>
 </context>
 <context>
@@ -9319,7 +9346,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>You become its administrator. People, sessions and scores stay on this computer.</source>
-        <translation>Αναλαμβάνετε τη διαχείρισή του. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
+        <translation>Γίνεστε διαχειριστής/-τρια του κέντρου. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
     </message>
     <message>
         <source>Open the demonstration site</source>
@@ -9353,7 +9380,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Creation of the demonstration site was stopped; what had been created was removed.</source>
-        <translation>Η δημιουργία διακόπηκε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
+        <translation>Η δημιουργία του κέντρου επίδειξης διακόπηκε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
     </message>
     <message>
         <source>The demonstration site could not be opened.</source>
@@ -9800,7 +9827,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Sessions to review</source>
-        <translation>Συνεδρίες προς εξέταση</translation>
+        <translation>Συνεδρίες προς αξιολόγηση</translation>
     </message>
     <message>
         <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
@@ -10022,7 +10049,7 @@ If you have not trained yet, you can try an exercise here in about a minute. Tra
 The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
 
-Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
+Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται αξιολόγηση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
 
 Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
     </message>
@@ -11349,10 +11376,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Σημείο υποκειμενικής ισότητας</translation>
     </message>
     <message>
-        <source>Internal noise, log10</source>
-        <translation>Εσωτερικός θόρυβος, log10</translation>
-    </message>
-    <message>
         <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
         <translation>%1. %2. %3 βαθμολογημένες δοκιμές, %4 επαναλήφθηκαν. %5</translation>
     </message>
@@ -11390,6 +11413,14 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
         <translation>Ο ήχος κάλυψης δεν ακούστηκε σε %1 από %2 δοκιμές: ο υπολογιστής δεν είχε έξοδο ήχου.</translation>
+    </message>
+    <message>
+        <source>Internal noise</source>
+        <translation>Εσωτερικός θόρυβος</translation>
+    </message>
+    <message>
+        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <translation>Πόσο διαφορετικό γίνεται αισθητό το ίδιο αντικείμενο από φορά σε φορά (μία τυπική απόκλιση).</translation>
     </message>
 </context>
 <context>
@@ -11654,7 +11685,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>No other completed session of this level</source>
-        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία</translation>
+        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία σε αυτό το επίπεδο</translation>
     </message>
     <message>
         <source>The second session could not be read. This one is shown alone.</source>
@@ -12039,14 +12070,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Συμμετέχοντες (σε δύο ομάδες: ανά ομάδα)</translation>
     </message>
     <message>
-        <source>Paired: SD of the difference from person to person (log10)</source>
-        <translation>Ζευγαρωτά: τυπική απόκλιση της διαφοράς ανά άτομο (log10)</translation>
-    </message>
-    <message>
-        <source>Two groups: SD between people (log10)</source>
-        <translation>Δύο ομάδες: τυπική απόκλιση μεταξύ ατόμων (log10)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Επίπεδο σημαντικότητας, δίπλευρο</translation>
     </message>
@@ -12095,14 +12118,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Πόσα άτομα συγκρίνονται.</translation>
     </message>
     <message>
-        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
-        <translation>Πόσο μεταβάλλεται η διαφορά από άτομο σε άτομο: 0,05 είναι συντελεστής 1,12.</translation>
-    </message>
-    <message>
-        <source>How much people vary: 0.15 is a factor of 1.41.</source>
-        <translation>Πόσο διαφέρουν τα άτομα: 0,15 είναι συντελεστής 1,41.</translation>
-    </message>
-    <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Πόσο συχνά επιτρέπεται να βρεθεί διαφορά εκεί που δεν υπάρχει.</translation>
     </message>
@@ -12128,6 +12143,22 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>± one standard error</source>
         <translation>± ένα τυπικό σφάλμα</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person</source>
+        <translation>Ζευγαρωτά: τυπική απόκλιση της διαφοράς ανά άτομο</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people</source>
+        <translation>Δύο ομάδες: τυπική απόκλιση μεταξύ ατόμων</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 12 % is a factor of 1.12.</source>
+        <translation>Πόσο μεταβάλλεται η διαφορά από άτομο σε άτομο: το 12 % είναι συντελεστής 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 40 % is a factor of 1.4.</source>
+        <translation>Πόσο διαφέρουν τα άτομα: το 40 % είναι συντελεστής 1,4.</translation>
     </message>
 </context>
 <context>
@@ -12612,7 +12643,7 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     </message>
     <message>
         <source>Usability score (0 to 100)</source>
-        <translation>Βαθμός ευχρηστίας (0 έως 100)</translation>
+        <translation>Βαθμολογία ευχρηστίας (0 έως 100)</translation>
     </message>
     <message>
         <source>Workload (0 to 100)</source>
@@ -13343,7 +13374,7 @@ An administrator of the backup has to give the password. The damaged file is nev
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Επαναφορά επιλεγμένου …</translation>
+        <translation>Επαναφορά αντιγράφου …</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -14681,7 +14712,7 @@ Administrators also give the site its name here.</source>
     </message>
     <message>
         <source>Save the site&apos;s name</source>
-        <translation>Αποθήκευση του ονόματος</translation>
+        <translation>Αποθήκευση ονόματος κέντρου</translation>
     </message>
     <message>
         <source>The site&apos;s name could not be read.
@@ -15033,11 +15064,11 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>Check the selected backup</source>
-        <translation>Έλεγχος επιλεγμένου</translation>
+        <translation>Έλεγχος αντιγράφου</translation>
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Επαναφορά επιλεγμένου …</translation>
+        <translation>Επαναφορά αντιγράφου …</translation>
     </message>
     <message>
         <source>Choose the folder …</source>
@@ -15192,7 +15223,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
-        <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
+        <translation>Έγινε επαναφορά του αντιγράφου. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
     </message>
     <message>
         <source>Shows where all recorded data is kept and whether it is safe.
@@ -15986,7 +16017,7 @@ Conditions defines what is compared, with which task and procedure. Preview runs
     </message>
     <message>
         <source>Mark this place</source>
-        <translation>Σήμανση αυτής της θέσης</translation>
+        <translation>Σημείωση αυτής της θέσης</translation>
     </message>
     <message>
         <source>Sound on or off</source>
@@ -16109,7 +16140,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>All measurements, or those a trainee needs</source>
-        <translation>Όλες οι μετρήσεις ή όσες χρειάζονται στην εξάσκηση</translation>
+        <translation>Όλες οι μετρήσεις ή όσες χρειάζονται οι εκπαιδευόμενοι</translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -16915,7 +16946,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Reason (the trainee can read it)</source>
-        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
+        <translation>Αιτιολογία (τη βλέπει ο/η εκπαιδευόμενος/-η)</translation>
     </message>
     <message>
         <source>Count a session again</source>
@@ -16954,7 +16985,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Ο συμμετέχων δεν συνεχίζει· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
+        <translation>Ο συμμετέχων αποχωρεί από τη μελέτη· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>
@@ -17210,7 +17241,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>pass mark %1</source>
-        <translation>όριο %1</translation>
+        <translation>όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>✓ met: %1</source>

@@ -249,7 +249,7 @@ QString fingers(const FingertipCheck& check) {
     TextTable table({QStringLiteral("finger"), QStringLiteral(">RMSE (N)"), QStringLiteral(">gain"),
                      QStringLiteral(">phase (°)"), QStringLiteral(">angle (°)"), QStringLiteral(">overshoot"),
                      QStringLiteral(">of force"), QStringLiteral(">1 N: most (N)"),
-                     QStringLiteral(">4 N: most (N)"), QStringLiteral("holds")});
+                     QStringLiteral(">4 N: most (N)"), QStringLiteral("in bounds")});
     const auto add = [&table](const QString& name, const mechanisms::FingertipVerification& v) {
         table.add({name, in(v.meanRmseTrue_N, 4), in(v.gain, 3), in(v.phase_deg, 1),
                    in(v.meanErrorTrue_deg, 2), in(100.0 * v.overshoot, 0) + QStringLiteral(" %"),
@@ -277,7 +277,7 @@ QString fingers(const FingertipCheck& check) {
 QString degradation(const FingertipCheck& check) {
     TextTable table({QStringLiteral("what"), QStringLiteral(">times"), QStringLiteral(">RMSE (N)"),
                      QStringLiteral(">really (N)"), QStringLiteral(">angle (°)"),
-                     QStringLiteral(">really (°)"), QStringLiteral("holds")});
+                     QStringLiteral(">really (°)"), QStringLiteral("in bounds")});
     for (const auto& row : check.degradation)
         table.add({QString::fromStdString(row.what), QString::number(row.factor), in(row.rmse_N, 4),
                    in(row.rmseTrue_N, 4), in(row.meanError_deg, 2), in(row.meanErrorTrue_deg, 2),
@@ -321,13 +321,14 @@ CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSerie
     text += armText(check.arm);
     const bool platform = check.verification.holds() && mechanisms::holdsOnAll(check.fingers);
     text += QLatin1Char('\n') +
-            (platform ? QStringLiteral("Holds on all fingers, in simulation: within P3's errors in force and "
-                                       "angle, no overshoot that is felt, never more than 4 N on the pad.\n")
-                      : QStringLiteral("Does not hold on all fingers, in simulation: see the table.\n"));
-    text +=
-        check.arm.holds()
-            ? QStringLiteral("The arm holds, in simulation. A real device has to be measured on its own.\n")
-            : QStringLiteral("The arm does not hold, in simulation: see its table.\n");
+            (platform
+                 ? QStringLiteral("Within its bounds on all fingers, in simulation: P3's errors in force and "
+                                  "angle, no overshoot that is felt, never more than 4 N on the pad.\n")
+                 : QStringLiteral("Not within its bounds on all fingers, in simulation: see the table.\n"));
+    text += check.arm.holds()
+                ? QStringLiteral("The arm is within its bounds, in simulation. A real device has to be "
+                                 "measured on its own.\n")
+                : QStringLiteral("The arm is not within its bounds, in simulation: see its table.\n");
     return {QJsonDocument(toJson(check, withSeries)), text, holds(check) ? 0 : 1};
 }
 

@@ -38,8 +38,8 @@ QString usage(const CommandSpec& command) {
 }
 
 const QString kExitCodes = QStringLiteral(
-    "Exit status: 0 done; 1 the thing checked does not hold; 2 wrong use or not allowed; 3 bad input;\n"
-    "4 storage or the writer's lock; 5 device.\n");
+    "Exit status: 0 done; 1 a check failed, or the command was cancelled; 2 wrong use or not allowed;\n"
+    "3 bad input; 4 storage or the writer's lock; 5 device.\n");
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "cli/score_output.h"
 
 #include "cli/text_table.h"
+#include "session_report/metric_words.h"
 
 #include <cmath>
 
@@ -71,10 +72,11 @@ QString metricsText(const std::vector<scoring::MetricValue>& metrics) {
     TextTable table({QStringLiteral("metric"), QStringLiteral(">version"), QStringLiteral(">value"),
                      QStringLiteral("unit"), QStringLiteral("passed"), QStringLiteral("note")});
     for (const scoring::MetricValue& metric : metrics)
-        table.add({QString::fromStdString(metric.id), QString::number(metric.version),
-                   metric.value ? shortNumber(*metric.value) : QStringLiteral("-"),
-                   QString::fromStdString(metric.unit), passedWord(metric.passed),
-                   metric.value ? QString() : QString::fromStdString(metric.reason)});
+        table.add(
+            {QString::fromStdString(metric.id), QString::number(metric.version),
+             metric.value ? shortNumber(*metric.value) : QStringLiteral("-"),
+             QString::fromStdString(metric.unit), passedWord(metric.passed),
+             metric.value ? QString() : session_report::metricReason(QString::fromStdString(metric.reason))});
     return table.toText();
 }
 

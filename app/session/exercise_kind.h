@@ -212,6 +212,9 @@ public:
     /// The rules that locate the worst moment of the exercise's own metrics. For each metric, the first rule
     /// that names it applies.
     virtual std::vector<MomentRule> momentRules() const;
+    /// The depth of the instrument in its canal at a time of the track, m; empty if there is no canal or the
+    /// recording does not tell.
+    virtual std::optional<double> depthAt_m(const PlaybackTrack&, double /*t_s*/) const { return {}; }
     /// The exercise's support for studies whose answers are marks; null if it has none or not for this
     /// condition.
     virtual const MarkSessions* markSessions(const psychophysics::Condition&) const { return nullptr; }

@@ -13,10 +13,10 @@ namespace chiron::session {
 struct MomentRule {
     enum class By {
         largestMark,     ///< the mark with the largest value, of the first of `marks`
-        firstMark,       ///< the first mark, of the first of `marks` that occurs; the value shown is the
-                         ///< metric's
+        firstMark,       ///< the first mark of any of `marks`; the value shown is the metric's
         largestQuantity, ///< the moment at which one of the scene's quantities was largest
-        farthestAnswer   ///< the answer farthest from the target, in per cent of the target's radius
+        farthestAnswer,  ///< the answer farthest from the target, in per cent of the target's radius
+        deepest          ///< the moment at which the instrument was deepest in its canal, mm
     };
     std::string_view metric; ///< metric id; a trailing '*' matches every id with this beginning
     By by = By::firstMark;
@@ -27,6 +27,7 @@ struct MomentRule {
     bool onlyCritical = false; ///< largestMark: only marks that the metric critical_errors counts
     /// The metric is spread over a trial, so that a moment of any other missed gate comes before this one.
     bool spread = false;
+    bool ofWholeTrial = false; ///< what happened concerns the trial as a whole, whose end is the moment
 
     bool isOf(std::string_view id) const noexcept {
         return metric.ends_with('*') ? id.starts_with(metric.substr(0, metric.size() - 1)) : id == metric;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/worst_moment.h"
 
+#include "core/units.h"
 #include "scoring/prepared_trial.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
@@ -32,8 +33,14 @@ std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
             continue;
         for (int k = 0; k < track.toolCount; ++k) {
             const double force_N = track.tool(i, k).tissue_N.norm();
-            if (force_N > (worst ? worst->value : scoring::kContactForce_N))
-                worst = WorstMoment{moment.t_s, 0.0, moment.trial, force_N, "N", "force_max", false};
+            if (force_N <= (worst ? worst->value : scoring::kContactForce_N))
+                continue;
+            worst.emplace();
+            worst->t_s = moment.t_s;
+            worst->trial = moment.trial;
+            worst->value = force_N;
+            worst->unit = "N";
+            worst->reason = "force_max";
         }
     }
     return worst;
@@ -79,6 +86,7 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
             continue;
         worst = endOf(track.trials[i], *own->value);
         worst->unit = own->unit;
+        worst->wholeTrial = true;
     }
     return worst;
 }
@@ -99,23 +107,27 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
     worst.trial = found->trial;
     worst.value = factor * *found->value;
     worst.unit = unit;
+    worst.event = *found;
     return worst;
 }
 
 /// The first event of the types that the metric counts; the value is the session's count.
 std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector<PlaybackMarkKind>& kinds,
                                    const scoring::MetricValue& metric) {
-    for (const PlaybackMarkKind kind : kinds)
-        for (const PlaybackMark& mark : track.marks)
-            if (mark.kind == kind && metric.value) {
-                WorstMoment worst;
-                worst.t_s = mark.t_s;
-                worst.trial = mark.trial;
-                worst.value = *metric.value;
-                worst.unit = metric.unit;
-                return worst;
-            }
-    return std::nullopt;
+    const PlaybackMark* first = nullptr;
+    for (const PlaybackMark& mark : track.marks)
+        if (std::find(kinds.begin(), kinds.end(), mark.kind) != kinds.end() &&
+            (first == nullptr || mark.t_s < first->t_s))
+            first = &mark;
+    if (first == nullptr || !metric.value)
+        return std::nullopt;
+    WorstMoment worst;
+    worst.t_s = first->t_s;
+    worst.trial = first->trial;
+    worst.value = *metric.value;
+    worst.unit = metric.unit;
+    worst.event = *first;
+    return worst;
 }
 
 /// The moment at which one of the scene's quantities was largest within a trial.
@@ -155,8 +167,26 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::st
     return worst;
 }
 
-std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule,
-                                  const scoring::MetricValue& metric) {
+/// The moment of a trial at which the instrument was deepest in its canal.
+std::optional<WorstMoment> deepest(const PlaybackTrack& track, const ExerciseKind& kind) {
+    std::optional<WorstMoment> worst;
+    for (const PlaybackMoment& moment : track.moments) {
+        if (moment.paused || moment.phase != core::TrialPhase::running)
+            continue;
+        const std::optional<double> depth_m = kind.depthAt_m(track, moment.t_s);
+        if (!depth_m || (worst && core::mmFromM(*depth_m) <= worst->value))
+            continue;
+        worst.emplace();
+        worst->t_s = moment.t_s;
+        worst->trial = moment.trial;
+        worst->value = core::mmFromM(*depth_m);
+        worst->unit = "mm";
+    }
+    return worst;
+}
+
+std::optional<WorstMoment> byRule(const PlaybackTrack& track, const ExerciseKind& kind,
+                                  const MomentRule& rule, const scoring::MetricValue& metric) {
     switch (rule.by) {
     case MomentRule::By::largestMark:
         return rule.marks.empty()
@@ -168,6 +198,8 @@ std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& 
         return largestQuantity(track, rule.quantity, rule.unit);
     case MomentRule::By::farthestAnswer:
         return farthestAnswer(track);
+    case MomentRule::By::deepest:
+        return deepest(track, kind);
     }
     return std::nullopt;
 }
@@ -178,8 +210,12 @@ std::optional<WorstMoment> byRules(const PlaybackTrack& track, const scoring::Me
                                    bool spread) {
     if (const auto kind = exerciseKind(track.exercise))
         for (const MomentRule& rule : (*kind)->momentRules())
-            if (rule.spread == spread && rule.isOf(metric.id))
-                return byRule(track, rule, metric);
+            if (rule.spread == spread && rule.isOf(metric.id)) {
+                auto worst = byRule(track, **kind, rule, metric);
+                if (worst)
+                    worst->wholeTrial = rule.ofWholeTrial;
+                return worst;
+            }
     return std::nullopt;
 }
 
@@ -190,7 +226,10 @@ std::optional<WorstMoment> broken(const PlaybackTrack& track, const scoring::Met
         return byForce;
     if (auto byTorque = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
         return byTorque;
-    return firstOf(track, {failed, damaged}, metric);
+    for (const PlaybackMarkKind kind : {failed, damaged}) // torn is worse than over-stretched
+        if (auto spoiled = firstOf(track, {kind}, metric))
+            return spoiled;
+    return std::nullopt;
 }
 
 /// The moment at which a gate on a metric was missed, if it has one: a force, an event, a largest value.
@@ -215,25 +254,28 @@ std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::Sco
     return worstTrial(track, card, gate);
 }
 
-} // namespace
-
-namespace {
-
-std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::ScoreCard& card,
-                                   std::span<const scoring::Gate> gates) {
+std::vector<const scoring::Gate*> missedGates(const scoring::ScoreCard& card,
+                                              std::span<const scoring::Gate> gates) {
     std::vector<const scoring::Gate*> missed;
     for (const scoring::Gate& gate : gates)
         if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric);
             metric && metric->passed == std::optional<bool>(false))
             missed.push_back(&gate);
+    return missed;
+}
+
+WorstMoment ledBy(WorstMoment worst, const scoring::Gate& gate) {
+    worst.reason = gate.metric;
+    worst.gateFailed = true;
+    return worst;
+}
+
+std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                   std::span<const scoring::Gate> gates) {
+    std::vector<const scoring::Gate*> missed = missedGates(card, gates);
     // Broken tissue is worse than any other failure.
     std::stable_partition(missed.begin(), missed.end(),
                           [](const scoring::Gate* gate) { return gate->metric == "critical_errors"; });
-    const auto ledBy = [](WorstMoment worst, const scoring::Gate& gate) {
-        worst.reason = gate.metric;
-        worst.gateFailed = true;
-        return worst;
-    };
     for (const scoring::Gate* gate : missed)
         if (auto worst = located(track, *metricIn(card.metrics, gate->metric)))
             return ledBy(std::move(*worst), *gate);
@@ -243,6 +285,15 @@ std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::Sc
     return largestForce(track);
 }
 
+/// Adds what follows from the moment's time: the time within its trial, and the depth.
+WorstMoment placed(WorstMoment worst, const PlaybackTrack& track) {
+    if (const PlaybackTrial* trial = track.trial(worst.trial))
+        worst.intoTrial_s = std::max(0.0, worst.t_s - trial->start_s);
+    if (const auto kind = exerciseKind(track.exercise); kind && !worst.wholeTrial)
+        worst.depth_m = (*kind)->depthAt_m(track, worst.t_s);
+    return worst;
+}
+
 } // namespace
 
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
@@ -250,9 +301,25 @@ std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring
     if (track.trials.empty())
         return std::nullopt;
     auto worst = worstOf(track, card, gates);
-    if (const PlaybackTrial* trial = worst ? track.trial(worst->trial) : nullptr)
-        worst->intoTrial_s = std::max(0.0, worst->t_s - trial->start_s);
-    return worst;
+    if (!worst)
+        return std::nullopt;
+    return placed(std::move(*worst), track);
+}
+
+std::vector<WorstMoment> momentsOfFailedGates(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                              std::span<const scoring::Gate> gates) {
+    std::vector<WorstMoment> moments;
+    if (track.trials.empty())
+        return moments;
+    for (const scoring::Gate* gate : missedGates(card, gates)) {
+        const scoring::MetricValue& metric = *metricIn(card.metrics, gate->metric);
+        auto worst = located(track, metric);
+        if (!worst)
+            worst = spread(track, card, *gate, metric);
+        if (worst)
+            moments.push_back(placed(ledBy(std::move(*worst), *gate), track));
+    }
+    return moments;
 }
 
 } // namespace chiron::session

@@ -7,10 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace chiron::session {
 
-/// The single moment that is most worth reviewing.
+/// A moment that is worth reviewing: the single worst one, or the one behind a failed gate.
 struct WorstMoment {
     double t_s = 0.0;         ///< on the track's time
     double intoTrial_s = 0.0; ///< since the trial began; the recording begins earlier
@@ -19,6 +20,11 @@ struct WorstMoment {
     std::string unit;        ///< of the metric, "N" for a force
     std::string reason;      ///< id of the failed metric, or "force_max" if none failed
     bool gateFailed = false; ///< derived from a failed gate
+    /// The value is that of the trial as a whole: the metric has no moment in it, and `t_s` is the trial's
+    /// end.
+    bool wholeTrial = false;
+    std::optional<PlaybackMark> event{}; ///< the event that happened here, if the moment is one
+    std::optional<double> depth_m{};     ///< of the instrument in its canal, if the exercise has one
 };
 
 /// Locates the worst moment behind a failed gate. Of the failed gates, broken tissue has priority, then the
@@ -29,5 +35,10 @@ struct WorstMoment {
 /// Empty for a track without a trial, and if nothing was touched and no gate has a moment. Pure function.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                        std::span<const scoring::Gate> gates);
+
+/// The moment behind each failed gate, in the order of the gates, located as for worstMoment(). A gate for
+/// which the recording shows neither a moment nor a worst trial is left out. Pure function.
+std::vector<WorstMoment> momentsOfFailedGates(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                              std::span<const scoring::Gate> gates);
 
 } // namespace chiron::session

@@ -8,6 +8,8 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
+#include <QStringList>
 #include <algorithm>
 
 namespace chiron::catalogue {
@@ -35,6 +37,40 @@ void checkName(const QJsonObject& json, const QString& expected, Problems& probl
     if (json["id"].toString() != expected)
         problems.push_back({QStringLiteral("$.id"), quoted(json["id"].toString()),
                             QStringLiteral("the name of its file or folder, %1").arg(quoted(expected))});
+}
+
+/// Reads the sentence on the moment at which a metric was worst; empty if there is none. Its places in every
+/// language are those that a debrief fills in, and those of the text in English.
+Translated momentOf(const ObjectReader& entry) {
+    if (!entry.has("moment"))
+        return {};
+    const auto placesIn = [](const std::string& text) {
+        QStringList places;
+        static const QRegularExpression kPlace(QStringLiteral("\\{[^}]*\\}?"));
+        for (auto found = kPlace.globalMatch(QString::fromStdString(text)); found.hasNext();)
+            places << found.next().captured();
+        places.sort();
+        return places;
+    };
+    const Translated moment = entry.translated("moment");
+    Problems& problems = entry.problems();
+    const QString at = memberPath(entry.path(), QStringLiteral("moment"));
+    const QStringList known{QLatin1String(kMomentValue), QLatin1String(kMomentEvent),
+                            QLatin1String(kMomentWhere)};
+    const QStringList ofSource = placesIn(textIn(moment, "en"));
+    for (const QString& place : ofSource)
+        if (!known.contains(place) || ofSource.count(place) > 1)
+            problems.push_back({at, quoted(place),
+                                QStringLiteral("each at most once of ") + known.join(QStringLiteral(", "))});
+    if (!ofSource.contains(QLatin1String(kMomentWhere)))
+        problems.push_back({at, QStringLiteral("no place for where it was"),
+                            QStringLiteral("a text with ") + QLatin1String(kMomentWhere)});
+    for (const auto& [language, text] : moment)
+        if (const QStringList places = placesIn(text); places != ofSource)
+            problems.push_back(
+                {memberPath(at, QString::fromStdString(language)), quoted(places.join(QStringLiteral(" "))),
+                 QStringLiteral("the same places as in English: ") + ofSource.join(QStringLiteral(" "))});
+    return moment;
 }
 
 /// Returns the name of the parameter that names a preset.
@@ -194,7 +230,7 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
                 problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)),
                                     QStringLiteral("each metric once")});
             else
-                out.advice.push_back({metric, entry.translated("text")});
+                out.advice.push_back({metric, entry.translated("text"), momentOf(entry)});
         });
     if (reader.has("legend"))
         reader.eachObject("legend", [&](const ObjectReader& entry) {

@@ -65,10 +65,18 @@ struct LegendLine {
     Translated text;
 };
 
+/// The places in Advice::moment. Every such text has the last one.
+inline constexpr const char* kMomentValue = "{value}"; ///< the quantity there, with its unit
+inline constexpr const char* kMomentEvent = "{event}"; ///< what happened there, as a clause with a capital
+inline constexpr const char* kMomentWhere = "{where}"; ///< "in trial 2, 0:05.0 after it began"
+
 /// What to do differently if the gate of a metric was not met.
 struct Advice {
     std::string metric;
     Translated text;
+    /// What the recording shows of the moment at which it was worst, with places to fill in (kMoment...);
+    /// empty if the exercise has no such sentence.
+    Translated moment{};
 
     bool operator==(const Advice&) const = default;
 };

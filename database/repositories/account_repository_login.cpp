@@ -97,7 +97,7 @@ core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) 
 
 core::Result<Actor> AccountRepository::actorFor(PersonId id) {
     auto query = Query::run(m_connection,
-                            "SELECT p.name, p.roles, p.enabled, c.must_change FROM person p "
+                            "SELECT p.name, p.roles, p.enabled, c.must_change, p.display_name FROM person p "
                             "JOIN credential c ON c.person_id = p.id WHERE p.id = ? AND p.kind = 'person'",
                             {id});
     CHIRON_TRY(query);
@@ -107,7 +107,7 @@ core::Result<Actor> AccountRepository::actorFor(PersonId id) {
         return core::fail(core::ErrorCode::notAllowed, "this account is disabled; ask an administrator");
     }
     return Actor(ActorKind::person, id, query->text(0), rolesFromList(query->text(1)).value_or(RoleSet{}),
-                 query->integer(3) != 0);
+                 query->integer(3) != 0, query->text(4));
 }
 
 core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt,

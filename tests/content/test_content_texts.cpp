@@ -97,6 +97,7 @@ private slots:
     void textsForNothingAreRefused_data();
     void textsForNothingAreRefused();
     void filesOfStrangeLanguagesAreRefused();
+    void aSentenceOnAMomentHasItsPlaces();
     void theTaskHasNoTexts();
     void aTextChangesNoTask();
     void aNumberChangesTheTask();
@@ -241,6 +242,36 @@ void TestContentTexts::textsForNothingAreRefused() {
     QVERIFY2(fault.contains(says), qPrintable(fault));
     const QStringList place = fault.mid(copy.path(file).size() + 1).split(u':');
     QVERIFY2(place[0].toInt() >= 1 && place[1].toInt() >= 1, qPrintable(fault));
+}
+
+// What a debrief fills in is asked for by name, in every language alike.
+void TestContentTexts::aSentenceOnAMomentHasItsPlaces() {
+    const QString exercise = QStringLiteral("exercises/sphere_apex/exercise.json");
+    const auto faultWith = [&](const char* sentence) {
+        const ContentCopy copy;
+        QByteArray bytes = copy.read(exercise);
+        const qsizetype before = bytes.size();
+        bytes.replace("Your first miss was {where}.", sentence);
+        copy.write(exercise, bytes);
+        return bytes.size() == before ? std::string("nothing was replaced") : faultOf(copy);
+    };
+    const auto says = [](const std::string& fault, const char* text) {
+        return fault.find(text) != std::string::npos;
+    };
+    const std::string elsewhere = faultWith("Your first miss was here.");
+    QVERIFY2(says(elsewhere, "$.advice[0].moment: no place for where it was: expected a text with {where}"),
+             elsewhere.c_str());
+    const std::string unknown = faultWith("Your first miss was {where}, {reason}.");
+    QVERIFY2(
+        says(unknown, "$.advice[0].moment: \"{reason}\": expected each at most once of {value}, {event}"),
+        unknown.c_str());
+    const std::string twice = faultWith("Your first miss was {where} and {where}.");
+    QVERIFY2(says(twice, "\"{where}\": expected each at most once"), twice.c_str());
+    const ContentCopy copy;
+    change(copy, kGerman, keysOf("exercise/advice/apex_misses/moment"), "Ihr erster Fehlversuch: {value}.");
+    const std::string translated = faultOf(copy);
+    QVERIFY2(says(translated, "$.advice[0].moment.de: \"{value}\": expected the same places as in English"),
+             translated.c_str());
 }
 
 void TestContentTexts::filesOfStrangeLanguagesAreRefused() {

@@ -83,7 +83,8 @@ private slots:
             faults += faultsOf(exercise.title, exercise.id, palpation);
             faults += faultsOf(exercise.objective, exercise.id, palpation);
             for (const Advice& advice : exercise.advice)
-                faults += faultsOf(advice.text, exercise.id + ", advice on " + advice.metric, palpation);
+                for (const Translated* text : {&advice.text, &advice.moment})
+                    faults += faultsOf(*text, exercise.id + ", advice on " + advice.metric, palpation);
             for (const LegendLine& line : exercise.legend)
                 faults += faultsOf(line.text, exercise.id + ", legend of " + line.mark, palpation);
             for (const ExerciseLevel& level : exercise.levels) {

@@ -58,8 +58,8 @@ void TestCliDevice::theFingertipPlatformHolds() {
                      2.0 / (0.0005 + 1e-6 * chosen["latency_us"].toDouble())) < 1e-6);
     QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
     const CliRun words = runCli({"device", "check", "--seed", "2", "--poses", "3"});
-    for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation", "Holds",
-                             "not told by the device"})
+    for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation",
+                             "Within its bounds", "not told by the device"})
         QVERIFY2(words.out.contains(word), word);
 }
 
@@ -78,7 +78,8 @@ void TestCliDevice::theArmHolds() {
     QCOMPARE(arm["friction"].toArray().size(), 9);
     const CliRun words = runCli(few);
     QCOMPARE(words.exitCode, 0);
-    for (const char* word : {"poses of the box within reach", "not printed", "7: 3 + 3 + 1", "The arm holds"})
+    for (const char* word :
+         {"poses of the box within reach", "not printed", "7: 3 + 3 + 1", "The arm is within its bounds"})
         QVERIFY2(words.out.contains(word), word);
 }
 

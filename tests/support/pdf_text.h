@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/painted_shapes.h"
+
 #include <QProcess>
 #include <QString>
 #include <QStringList>
+
+#include <vector>
 
 namespace chiron::tests {
 
@@ -29,6 +33,26 @@ inline QString pdfText(const QString& pdf, PdfOrder order = PdfOrder::laidOut) {
 
 inline QStringList pdfLines(const QString& pdf) {
     return pdfText(pdf).split(QLatin1Char('\n'));
+}
+
+/// A text without spaces and marks that nobody sees; signs that look alike (µ and μ) are one.
+inline QString visibleLetters(const QString& text) {
+    QString letters;
+    for (const QChar letter : text.normalized(QString::NormalizationForm_KC))
+        if (!letter.isSpace() && letter.category() != QChar::Other_Format &&
+            letter.category() != QChar::Other_Control)
+            letters += letter;
+    return letters;
+}
+
+/// The texts that are painted on the pages of a report and cannot be copied from its PDF as they are seen.
+inline QStringList notCopied(const std::vector<PaintedShape>& painted, const QString& pdf) {
+    const QString copied = visibleLetters(pdfText(pdf, PdfOrder::drawn));
+    QStringList lost;
+    for (const QString& words : wordsIn(painted))
+        if (!copied.contains(visibleLetters(words)))
+            lost << words;
+    return lost;
 }
 
 } // namespace chiron::tests

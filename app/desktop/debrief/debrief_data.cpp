@@ -120,7 +120,9 @@ core::Result<DebriefDetails> debriefDetailsOf(session::SessionView& session, dat
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());
     const bool judged = session.record().summary.state == database::SessionState::completed;
-    details.worst = session::worstMoment(track, card && judged ? *card : scoring::ScoreCard{}, level.gates);
+    const scoring::ScoreCard judgedBy = card && judged ? *card : scoring::ScoreCard{};
+    details.worst = session::worstMoment(track, judgedBy, level.gates);
+    details.missed = session::momentsOfFailedGates(track, judgedBy, level.gates);
     return details;
 }
 

@@ -45,6 +45,7 @@ struct DebriefDetails {
     DebriefReading part; ///< specific to this exercise; if it could not be read, the rest still holds
     report::ForceFacts force;
     std::optional<session::WorstMoment> worst;
+    std::vector<session::WorstMoment> missed; ///< one for each missed pass mark that has a moment
     double duration_s = 0.0;
     std::vector<CommentAtMoment> comments;      ///< by time, those on the whole session first
     std::vector<session::PlaybackTrial> trials; ///< to say in which trial a comment lies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/debrief/headline_card.h"
+#include "desktop/debrief/practice_level.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/home/comment_list.h"
@@ -83,12 +84,13 @@ QWidget* DebriefScreen::verdictBox() {
         auto* line = kit::label(theme, QStringLiteral("•  %1").arg(verdict.reasons[i]), TextStyle::strong);
         line->setObjectName(QStringLiteral("debrief.reason"));
         words->addWidget(line);
-        if (const QString advice = verdict.advice.value(i); !advice.isEmpty()) {
-            auto* coach = kit::label(theme, advice);
-            coach->setObjectName(QStringLiteral("debrief.advice"));
-            coach->setContentsMargins(theme.px(14), 0, 0, theme.px(4));
-            words->addWidget(coach);
-        }
+        const auto index = static_cast<std::size_t>(i);
+        addAdvice(verdict.advice[index], *words);
+        // Pass marks in a row that are practised on the same level share a button.
+        const catalogue::ExerciseLevel* level = practisedAt(verdict.advice[index]);
+        const bool last = index + 1 == verdict.advice.size();
+        if (level && (last || practisedAt(verdict.advice[index + 1]) != level))
+            words->addWidget(practiceButton(*level), 0, Qt::AlignLeft);
     }
     if (const QString change = changeText(*m_head, context().locale(), isMine()); !change.isEmpty()) {
         auto* line = kit::label(theme, change, TextStyle::body, "muted");
@@ -103,6 +105,35 @@ QWidget* DebriefScreen::verdictBox() {
     box.layout->addLayout(row);
     box.layout->addWidget(actionRow());
     return box.frame;
+}
+
+void DebriefScreen::addAdvice(const MetricAdvice& advice, QVBoxLayout& words) {
+    const Theme& theme = context().theme();
+    auto* coach = kit::label(theme, advice.text);
+    coach->setObjectName(QStringLiteral("debrief.advice"));
+    coach->setContentsMargins(theme.px(14), 0, 0, theme.px(4));
+    if (advice.text.isEmpty())
+        coach->hide(); // until the recording has something to add
+    words.addWidget(coach);
+    m_advice.push_back({advice, coach});
+}
+
+const catalogue::ExerciseLevel* DebriefScreen::practisedAt(const MetricAdvice& advice) const {
+    const database::SessionSummary& summary = m_head->record.summary;
+    const catalogue::Exercise* exercise = context().site().catalogue().find(summary.exercise);
+    return exercise && isMine() ? practiceLevel(*exercise, summary.level, advice.metric) : nullptr;
+}
+
+QWidget* DebriefScreen::practiceButton(const catalogue::ExerciseLevel& level) {
+    const QString title =
+        QString::fromStdString(catalogue::textIn(level.title, context().language().toStdString()));
+    auto* button =
+        kit::button(context().theme(),
+                    tr("Practise it on level %1: %2").arg(context().locale().toString(level.number), title),
+                    "quiet", QStringLiteral("go-next"));
+    button->setObjectName(QStringLiteral("debrief.practise"));
+    connect(button, &QPushButton::clicked, this, [this, number = level.number] { openSetup(number); });
+    return button;
 }
 
 // For a session that is void, or was void and counts again: who decided what, and why.
@@ -133,11 +164,14 @@ QWidget* DebriefScreen::decisionsBox() {
 
 std::vector<MetricAdvice> DebriefScreen::adviceNow() const {
     std::vector<MetricAdvice> advice;
+    const auto inLanguage = [language =
+                                 context().language().toStdString()](const catalogue::Translated& text) {
+        return QString::fromStdString(catalogue::textIn(text, language));
+    };
     if (const catalogue::Exercise* exercise =
             context().site().catalogue().find(m_head->record.summary.exercise))
-        for (const auto& [metric, text] : exercise->advice)
-            advice.push_back({metric, QString::fromStdString(
-                                          catalogue::textIn(text, context().language().toStdString()))});
+        for (const catalogue::Advice& one : exercise->advice)
+            advice.push_back({one.metric, inLanguage(one.text), inLanguage(one.moment)});
     return advice;
 }
 

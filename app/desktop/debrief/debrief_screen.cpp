@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
 
+#include "desktop/debrief/advice_words.h"
 #include "desktop/debrief/metrics_table.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
@@ -183,6 +184,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
         showWorst(*details.worst);
     else
         m_worstText->setText(tr("No moment stands out."));
+    completeAdvice(details.missed);
     showForce(details.force);
     showComments(details.comments,
                  {details.trials, m_head->record.setup.plannedTrials > 1, context().locale()});
@@ -226,6 +228,21 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     m_worst->setAccessibleDescription(inRecording);
     m_worstText->setText(tr("Worst moment: %1").arg(where));
     m_worst->setEnabled(true);
+}
+
+// The advice stands there from the beginning; what the recording shows of the moment is put before it.
+void DebriefScreen::completeAdvice(const std::vector<session::WorstMoment>& missed) {
+    const database::SessionRecord& record = m_head->record;
+    for (const AdviceLine& line : m_advice)
+        for (const session::WorstMoment& moment : missed)
+            if (moment.reason == line.advice.metric) {
+                const QString sentence = momentSentence(line.advice.moment, moment, record.summary.exercise,
+                                                        record.setup.plannedTrials > 1, context().locale());
+                QStringList sentences{sentence, line.advice.text};
+                sentences.removeAll(QString());
+                line.label->setText(sentences.join(QLatin1Char(' ')));
+                line.label->setVisible(!sentences.isEmpty());
+            }
 }
 
 bool DebriefScreen::isMine() const {

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -45,12 +46,17 @@ private:
     void loadDetails();
     void showDetails(const DebriefDetails& details);
     void showWorst(const session::WorstMoment& worst);
+    void completeAdvice(const std::vector<session::WorstMoment>& missed);
     void showForce(const report::ForceFacts& force);
     void showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments);
     QWidget* replyButton(const database::SessionComment& comment); ///< null if this person may not reply
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
+    void addAdvice(const MetricAdvice& advice, QVBoxLayout& words);
+    QWidget* practiceButton(const catalogue::ExerciseLevel& level);
+    /// Where the metric is practised; null if the session is not one's own or no lower level judges it.
+    const catalogue::ExerciseLevel* practisedAt(const MetricAdvice& advice) const;
     QWidget* decisionsBox(); ///< null if the session was never voided or counted again
     QWidget* actionRow();
     QWidget* headlineRow(); ///< null if no metric is judged
@@ -63,6 +69,11 @@ private:
     void openSetup(int level);
     void openResults();
     std::vector<MetricAdvice> adviceNow() const; ///< from the exercise, in the person's language
+    /// The line with the advice on a missed pass mark.
+    struct AdviceLine {
+        MetricAdvice advice;
+        QLabel* label = nullptr;
+    };
     bool isMine() const;
     bool mayTryNow() const; ///< true for a scripted demonstration: the viewer may try it now
     std::optional<TrainingPlan> demonstration() const; ///< the plan of a demonstration of this level
@@ -76,6 +87,7 @@ private:
     QPushButton* m_worst = nullptr;
     QVBoxLayout* m_comments = nullptr; ///< the column that contains m_commentBox
     QWidget* m_commentBox = nullptr;   ///< the comments on the session; null if there are none
+    std::vector<AdviceLine> m_advice;  ///< one per missed pass mark
     QLabel* m_worstText = nullptr;     ///< describes the worst moment and where it is
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;

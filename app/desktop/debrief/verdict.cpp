@@ -46,7 +46,7 @@ void tellMissed(Verdict& verdict, const DebriefHead& head, const QLocale& locale
     for (const report::MetricRow* row : missed) {
         const auto found = place(row);
         verdict.reasons << missedGateText(*row, locale);
-        verdict.advice << (found == advice.end() ? QString() : found->text);
+        verdict.advice.push_back(found == advice.end() ? MetricAdvice{row->id.toStdString(), {}} : *found);
     }
 }
 

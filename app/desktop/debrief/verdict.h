@@ -6,8 +6,17 @@
 #include <QLocale>
 #include <QString>
 #include <QStringList>
+#include <string>
+#include <vector>
 
 namespace chiron::desktop {
+
+/// Advice for a person who missed the pass mark of a metric.
+struct MetricAdvice {
+    std::string metric;
+    QString text;
+    QString moment{}; ///< sentence on its worst moment, to be filled in (catalogue::Advice::moment)
+};
 
 /// The outcome of a session in words, shown at the top of a debrief.
 struct Verdict {
@@ -16,13 +25,8 @@ struct Verdict {
     QString title;             ///< "Passed"
     QString text;              ///< what the outcome means and what was kept
     QStringList reasons{};     ///< the pass marks that were not met, and by how much
-    QStringList advice{};      ///< parallel to `reasons`: advice from the exercise's content; may be empty
-};
-
-/// Advice for a person who missed the pass mark of a metric.
-struct MetricAdvice {
-    std::string metric;
-    QString text;
+    /// Parallel to `reasons`: the metric and what the exercise's content says of it; the texts may be empty.
+    std::vector<MetricAdvice> advice{};
 };
 
 /// Describes the outcome from stored data; it decides nothing itself. `advice` comes from the exercise, in

@@ -14,7 +14,7 @@ struct GateTexts {
     Q_DECLARE_TR_FUNCTIONS(GateWords)
 };
 
-/// A pass mark as text with its unit, for example "Misses: at most 0".
+/// A pass mark as text with its unit, for example "Misses: at most 1" or "Critical errors: none".
 QString gateInWords(const scoring::Gate& gate, const QLocale& locale);
 
 /// The pass marks of a level, in the level's order. A pass mark that allows more than the limit behind it

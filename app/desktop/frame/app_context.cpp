@@ -80,9 +80,14 @@ void AppContext::setStationLanguage(const QString& language) {
     applyAppearance();
 }
 
-void AppContext::setLoginName(const std::string& name) {
-    m_loginName = name;
-    emit loginNameChanged();
+QString AppContext::shownName() const {
+    return QString::fromStdString(m_fullName.empty() ? m_loginName : m_fullName);
+}
+
+void AppContext::setNames(const std::string& loginName, const std::string& fullName) {
+    m_loginName = loginName;
+    m_fullName = fullName;
+    emit namesChanged();
 }
 
 void AppContext::setActor(const database::Actor& actor) {
@@ -90,6 +95,7 @@ void AppContext::setActor(const database::Actor& actor) {
     m_actor = actor;
     m_unread = 0;
     m_loginName = actor.name();
+    m_fullName = actor.fullName();
     emit actorChanged();
     if (language() != before)
         applyAppearance();

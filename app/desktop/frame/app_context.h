@@ -42,7 +42,10 @@ public:
     bool loggedIn() const noexcept { return m_actor.kind() == database::ActorKind::person; }
     /// The current login name, which may have changed since the login.
     const std::string& loginName() const noexcept { return m_loginName; }
-    void setLoginName(const std::string& name);
+    /// The person as screens and records name them: by their full name, or by the login name if they have
+    /// none.
+    QString shownName() const;
+    void setNames(const std::string& loginName, const std::string& fullName);
     bool has(database::Role role) const { return m_actor.roles().contains(role); }
     /// Opens the site's database on a worker, which also recovers what a crash left behind, and loads the
     /// content. Emits siteOpened() or siteFailed().
@@ -76,7 +79,7 @@ signals:
     void siteFailed(const chiron::core::Error& error);
     void appearanceChanged();
     void actorChanged();
-    void loginNameChanged();
+    void namesChanged();
     void trialRunsChanged(bool runs);
     void unreadChanged(int sessions);
     void activity();
@@ -95,6 +98,7 @@ private:
     Theme m_theme;
     database::Actor m_actor = database::Actor::anonymous();
     std::string m_loginName;
+    std::string m_fullName;
     bool m_trialRuns = false;
     int m_unread = 0;
 };

@@ -108,11 +108,10 @@ QWidget* SideBar::personArea() {
     auto* column = new QVBoxLayout(area);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_context.theme().px(4));
-    auto* name =
-        kit::label(m_context.theme(), QString::fromStdString(m_context.loginName()), TextStyle::strong);
+    auto* name = kit::label(m_context.theme(), m_context.shownName(), TextStyle::strong);
     name->setObjectName(QStringLiteral("nav.person"));
-    connect(&m_context, &AppContext::loginNameChanged, name,
-            [this, name] { name->setText(QString::fromStdString(m_context.loginName())); });
+    connect(&m_context, &AppContext::namesChanged, name,
+            [this, name] { name->setText(m_context.shownName()); });
     column->addWidget(name);
     auto* account = entry(QStringLiteral("user-identity"), tr("My account"), QStringLiteral("nav.account"));
     connect(account, &QPushButton::clicked, this,

@@ -41,7 +41,7 @@ void LockController::lock() {
 
 void LockController::cover() {
     delete m_cover;
-    m_cover = new LockCover(m_context.theme(), QString::fromStdString(m_context.loginName()), &m_window);
+    m_cover = new LockCover(m_context.theme(), m_context.shownName(), &m_window);
     m_cover->setGeometry(m_window.rect());
     connect(m_cover, &LockCover::submitted, this, &LockController::tryUnlock);
     connect(m_cover, &LockCover::switchAsked, this, &LockController::switchUser);

@@ -14,7 +14,7 @@ namespace chiron::desktop {
 
 namespace {
 
-void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) {
+void addHead(const Theme& theme, QVBoxLayout& column, const QString& name) {
     auto* sign = new QLabel;
     sign->setPixmap(
         theme.icon(QStringLiteral("system-lock-screen"), Colour::accent).pixmap(theme.px(44), theme.px(44)));
@@ -27,7 +27,7 @@ void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) 
         theme,
         LockCover::tr("%1 is logged in. Everything keeps running and nothing is lost; only the screen is "
                       "covered.")
-            .arg(loginName),
+            .arg(name),
         TextStyle::body, "muted");
     words->setAlignment(Qt::AlignCenter);
     column.addWidget(words);
@@ -35,7 +35,7 @@ void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) 
 
 } // namespace
 
-LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* parent) : QWidget(parent) {
+LockCover::LockCover(const Theme& theme, const QString& name, QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("lock.cover"));
     setProperty("kind", QStringLiteral("page"));
     setAttribute(Qt::WA_StyledBackground);
@@ -47,8 +47,8 @@ LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* pare
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
-    addHead(theme, *box.layout, loginName);
-    m_password = form::passwordField(theme, box.layout, tr("Password of %1").arg(loginName),
+    addHead(theme, *box.layout, name);
+    m_password = form::passwordField(theme, box.layout, tr("Password of %1").arg(name),
                                      QStringLiteral("lock.password"));
     m_notice = new NoticeArea(theme);
     m_notice->setObjectName(QStringLiteral("lock.notice"));

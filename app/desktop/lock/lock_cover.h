@@ -19,7 +19,7 @@ class WaitCountdown;
 class LockCover final : public QWidget {
     Q_OBJECT
 public:
-    LockCover(const Theme& theme, const QString& loginName, QWidget* parent);
+    LockCover(const Theme& theme, const QString& name, QWidget* parent);
 
     void focusFirst();
     void setWorking(bool working);

@@ -76,7 +76,7 @@ void EditPersonDialog::saved(const core::Result<void>& done) {
     const QString name = m_name->name();
     if (done) {
         if (m_person.id == context().actor().personId())
-            context().setLoginName(name.toStdString());
+            context().setNames(name.toStdString(), m_fullName->text().trimmed().toStdString());
         emit changed();
         context().messages().done(tr("%1 is saved.").arg(name));
         accept();

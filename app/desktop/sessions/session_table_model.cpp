@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/sessions/session_table_model.h"
 
+#include "desktop/sessions/plain_cell_delegate.h"
 #include "session/exercise_kind.h"
 
 #include <algorithm>
@@ -73,6 +74,12 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
         return text(row, index.column());
     case Qt::DecorationRole:
         return picture(row, index.column());
+    case PlainCellDelegate::kSecondLine:
+        return operatorWith(row, index.column());
+    case Qt::AccessibleTextRole: {
+        const QString moved = operatorWith(row, index.column());
+        return moved.isEmpty() ? QVariant() : QVariant(row.person + QStringLiteral(", ") + moved);
+    }
     case Qt::ToolTipRole:
         return tip(row);
     case Qt::TextAlignmentRole:
@@ -121,6 +128,12 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     default:
         return {};
     }
+}
+
+QString SessionTableModel::operatorWith(const SessionRow& row, int column) const {
+    return column == person && m_operatorWithPerson && !row.summary.operatorName.empty()
+               ? SessionWords::moved(row.summary)
+               : QString();
 }
 
 QString SessionTableModel::tip(const SessionRow& row) const {
@@ -179,6 +192,14 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
     default:
         return {};
     }
+}
+
+void SessionTableModel::setOperatorWithPerson(bool with) {
+    if (m_operatorWithPerson == with)
+        return;
+    m_operatorWithPerson = with;
+    if (rowCount() > 0)
+        emit dataChanged(index(0, person), index(rowCount() - 1, person));
 }
 
 void SessionTableModel::setRows(std::vector<SessionRow> rows) {

@@ -45,6 +45,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
+    /// Whether the person's cell has the operator as its second line, because that column is left out.
+    /// Nothing is added for somebody's own hand.
+    void setOperatorWithPerson(bool with);
     void setRows(std::vector<SessionRow> rows); ///< newest first
     void append(std::vector<SessionRow> rows);  ///< appends older sessions
     void replace(SessionRow row);               ///< replaces the row with the same number
@@ -61,6 +64,7 @@ private:
     void show();
     void sortShown();
     QString text(const SessionRow& row, int column) const;
+    QString operatorWith(const SessionRow& row, int column) const; ///< the second line of a cell
     QString tip(const SessionRow& row) const; ///< includes what a narrow window leaves out
     QVariant picture(const SessionRow& row, int column) const;
     QIcon icon(const WordSign& sign) const;
@@ -72,6 +76,7 @@ private:
     SessionListFilter m_filter;
     int m_sortColumn = number; ///< newest first
     Qt::SortOrder m_sortOrder = Qt::DescendingOrder;
+    bool m_operatorWithPerson = false;
     mutable std::map<std::pair<QString, Colour>, QIcon> m_icons;
 };
 

@@ -95,7 +95,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     }
 }
 
-/// The columns that a narrow window leaves out, first to last; a row's tool tip still shows them.
+/// The columns that a narrow window leaves out, first to last. A row's tool tip still shows them; the
+/// operator stands below the person then.
 constexpr std::array<int, 5> kMayGo{SessionTableModel::length, SessionTableModel::device,
                                     SessionTableModel::operatorName, SessionTableModel::attempt,
                                     SessionTableModel::number};
@@ -177,7 +178,7 @@ QWidget* SessionsScreen::buildTable() {
     m_table->setMinimumHeight(theme.px(190));
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // otherwise every row is measured
-    m_table->verticalHeader()->setDefaultSectionSize(theme.px(34));
+    m_table->verticalHeader()->setDefaultSectionSize(theme.px(36));      // room for two lines
     QHeaderView* head = m_table->horizontalHeader();
     head->setHighlightSections(false);
     head->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -209,6 +210,7 @@ void SessionsScreen::fitColumns() {
         m_table->setColumnHidden(column, true);
         wanted_px -= m_widths[static_cast<std::size_t>(column)];
     }
+    m_model->setOperatorWithPerson(m_table->isColumnHidden(SessionTableModel::operatorName));
 }
 
 QWidget* SessionsScreen::buildActions() {

@@ -85,7 +85,7 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
 
 CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device,
                                                 const std::optional<QString>& serial) const {
-    return {QString::fromStdString(context().loginName()),
+    return {context().shownName(),
             at.when,
             QSysInfo::machineHostName(),
             device,

@@ -24,6 +24,7 @@ namespace {
 constexpr int kPoll_ms = 100;
 constexpr int kSteps = 1000;
 constexpr double kPercent = 100.0;
+constexpr double kMostSpread_percent = 900.0; // a factor of 10
 
 bool isApex(const psychophysics::Condition& condition) {
     return condition.stimulus.attribute == psychophysics::Attribute::apex;
@@ -146,6 +147,15 @@ QWidget* PreviewPage::observerGrid() {
     return grid;
 }
 
+QDoubleSpinBox* PreviewPage::spreadField(FieldGrid& grid, const QString& label, const QString& name,
+                                         double& sd_log10) {
+    return grid.number(label, name, kPercent * study_words::ratioOf(sd_log10),
+                       {0, kMostSpread_percent, 1, QStringLiteral("%"), 1}, [this, &sd_log10](double now) {
+                           sd_log10 = study_words::differenceOf(now / kPercent);
+                           showPower();
+                       });
+}
+
 QWidget* PreviewPage::powerGrid() {
     m_power.participants = std::max(2, m_page.draft.design().participantsPlanned);
     auto* part = new QWidget;
@@ -168,18 +178,10 @@ QWidget* PreviewPage::powerGrid() {
                     m_power.participants = now;
                     showPower();
                 });
-    m_effectSd = grid->number(tr("Paired: SD of the difference from person to person (log10)"),
-                              QStringLiteral("preview.effect_sd"), m_power.effectSdLog10, {0, 3, 3, {}, 0.01},
-                              [this](double now) {
-                                  m_power.effectSdLog10 = now;
-                                  showPower();
-                              });
-    m_personSd =
-        grid->number(tr("Two groups: SD between people (log10)"), QStringLiteral("preview.person_sd"),
-                     m_power.personSdLog10, {0, 3, 3, {}, 0.01}, [this](double now) {
-                         m_power.personSdLog10 = now;
-                         showPower();
-                     });
+    m_effectSd = spreadField(*grid, tr("Paired: SD of the difference from person to person"),
+                             QStringLiteral("preview.effect_sd"), m_power.effectSdLog10);
+    m_personSd = spreadField(*grid, tr("Two groups: SD between people"), QStringLiteral("preview.person_sd"),
+                             m_power.personSdLog10);
     grid->number(tr("Significance level, two-sided"), QStringLiteral("preview.alpha"),
                  kPercent * m_power.alpha, {0.01, 50, 2, QStringLiteral("%"), 1}, [this](double now) {
                      m_power.alpha = now / kPercent;
@@ -193,8 +195,10 @@ QWidget* PreviewPage::powerGrid() {
     grid->explain(QStringLiteral("preview.paired"), tr("Else each person does one of them."));
     grid->explain(QStringLiteral("preview.participants"), tr("How many people are compared."));
     grid->explain(QStringLiteral("preview.effect_sd"),
-                  tr("How much the difference varies between people: 0.05 is a factor of 1.12."));
-    grid->explain(QStringLiteral("preview.person_sd"), tr("How much people vary: 0.15 is a factor of 1.41."));
+                  tr("How much the difference varies between people: 12 % is a factor of 1.12."),
+                  {0, kMostSpread_percent, 12});
+    grid->explain(QStringLiteral("preview.person_sd"), tr("How much people vary: 40 % is a factor of 1.4."),
+                  {0, kMostSpread_percent, 40});
     grid->explain(QStringLiteral("preview.alpha"),
                   tr("How often a difference may be found where there is none."));
     grid->explain(QStringLiteral("preview.power"),

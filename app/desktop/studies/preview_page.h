@@ -19,6 +19,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+class FieldGrid;
 class WorkToken;
 
 /// Shows the expected results of a design. Simulated observers produce them on a worker.
@@ -42,6 +43,8 @@ private:
     void setWorking(bool working);
     QWidget* resultBox(const PreviewResult& result);
     QWidget* plotOf(const PreviewResult& result) const;
+    /// A field in per cent for a standard deviation in log10 units.
+    QDoubleSpinBox* spreadField(FieldGrid& grid, const QString& label, const QString& name, double& sd_log10);
     QWidget* powerGrid(); ///< assumptions for a comparison of two conditions
     void showPower();     ///< for all results, under the current assumptions; simulates nothing again
 

@@ -178,8 +178,6 @@ QString moment(const std::string& utc, const QLocale& locale) {
 QString parameter(const std::string& name) {
     if (name == "threshold")
         return Words::tr("Threshold");
-    if (name == "log10_sigma")
-        return Words::tr("Noise (log10 σ)");
     if (name == "slope")
         return Words::tr("Slope");
     if (name == "mean")

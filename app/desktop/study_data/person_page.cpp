@@ -80,7 +80,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     const kit::Box box = kit::box(theme);
     auto* grid = new FieldGrid(theme, locale, true);
-    const auto fact = [&](const QString& name, const QString& value, const QString& interval) {
+    const auto fact = [&](const QString& name, const QString& value, const QString& interval,
+                          const QString& meaning = {}) {
         auto* part = new QWidget;
         auto* column = new QVBoxLayout(part);
         column->setContentsMargins(0, 0, 0, 0);
@@ -90,6 +91,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         column->addWidget(kit::label(theme,
                                      interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval),
                                      TextStyle::small, "muted"));
+        if (!meaning.isEmpty())
+            column->addWidget(kit::label(theme, meaning, TextStyle::small, "muted"));
         grid->cell(part);
     };
     const auto marked = [&](const QString& value) { return session_report::markedValue(value, estimate); };
@@ -108,8 +111,10 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                  study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
         }
     }
-    fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale),
-         study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
+    fact(tr("Internal noise"), study_words::percent(study_words::ratioOf(estimate.sigma_log10), locale),
+         study_words::intervalPercent(study_words::ratioOf(estimate.sigma95.low),
+                                      study_words::ratioOf(estimate.sigma95.high), locale),
+         tr("How much one and the same object feels different from time to time (one standard deviation)."));
     if (std::isfinite(estimate.tie))
         fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale),
              study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));

@@ -17,8 +17,7 @@ ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent)
     column()->addWidget(
         kit::label(theme(), tr("The session is paused. Enter your password to see the experimenter's view."),
                    TextStyle::body));
-    m_password = form::passwordField(theme(), column(),
-                                     tr("Password of %1").arg(QString::fromStdString(context.loginName())),
+    m_password = form::passwordField(theme(), column(), tr("Password of %1").arg(context.shownName()),
                                      QStringLiteral("gate.password"));
     m_note = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Continue"));

@@ -7,6 +7,7 @@
 #include "desktop/lock/lock_controller.h"
 
 #include <QDialog>
+#include <QLabel>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -164,6 +165,12 @@ void TestLock::wrongPasswordsWait() {
     settle();
     auto& lock = lockOf(desktop);
     lock.lock();
+    QStringList words;
+    for (const QLabel* label : desktop.find<QWidget>(QStringLiteral("lock.cover"))->findChildren<QLabel*>())
+        words << label->text();
+    QVERIFY2(words.join(QLatin1Char('|')).contains(QStringLiteral("Tina Trainee is logged in.")) &&
+                 words.contains(QStringLiteral("Password of Tina Trainee")),
+             qPrintable(words.join(QLatin1Char('|'))));
     auto* password = desktop.find<QLineEdit>(QStringLiteral("lock.password"));
     for (int attempt = 1; attempt <= 3; ++attempt) {
         password->setText(QStringLiteral("wrong word %1").arg(attempt));

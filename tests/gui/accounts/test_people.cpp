@@ -462,10 +462,21 @@ void TestPeople::renamingOneselfIsSeenAtOnce() {
     PeopleDesk desk;
     desk.choose(QStringLiteral("ada"));
     desk.click("people.edit");
+    const auto shown = [&] { return desk.find<QLabel>(QStringLiteral("nav.person"))->text(); };
+    QCOMPARE(shown(), QStringLiteral("Ada Lovelace")); // people are called by their full names
     desk.set("edit_person.name", QStringLiteral("augusta"));
+    desk.set("edit_person.full_name", QStringLiteral("Augusta King"));
     desk.click("edit_person.accept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("augusta")) >= 0, kPatience_ms);
-    QCOMPARE(desk.find<QLabel>(QStringLiteral("nav.person"))->text(), QStringLiteral("augusta"));
+    QCOMPARE(shown(), QStringLiteral("Augusta King"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("edit_person"), kPatience_ms);
+    desk.choose(QStringLiteral("augusta"));
+    desk.click("people.edit");
+    desk.set("edit_person.full_name", QString());
+    desk.click("edit_person.accept");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("augusta"), 1), QString(), kPatience_ms);
+    QCOMPARE(shown(), QStringLiteral("augusta")); // who has none
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("edit_person"), kPatience_ms);
     desk.choose(QStringLiteral("tina")); // she still may, under her present login
     desk.click("people.enable");
     QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), kPatience_ms);

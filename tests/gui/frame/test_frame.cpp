@@ -14,6 +14,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/image_region.h"
 #include "support/patience.h"
 
 #include <QCheckBox>
@@ -293,28 +294,18 @@ private slots:
         MessageBar bar(theme);
         QVERIFY(bar.isHidden());
         auto* timer = bar.findChild<QTimer*>();
-        const auto colour = [&] {
-            const QImage sign = bar.findChildren<QLabel*>().front()->pixmap().toImage();
-            QRgb most = 0; // its thickest place
-            for (int y = 0; y < sign.height(); ++y)
-                for (int x = 0; x < sign.width(); ++x)
-                    most = qAlpha(sign.pixel(x, y)) > qAlpha(most) ? sign.pixel(x, y) : most;
-            return QColor(most);
-        };
-        for (const auto& [kind, look, ink] : {std::tuple{MessageKind::done, "good", Colour::good},
-                                              {MessageKind::information, "info", Colour::accent},
-                                              {MessageKind::warning, "warning", Colour::warning},
-                                              {MessageKind::error, "bad", Colour::bad}}) {
+        for (const auto& [kind, look, icon, ink] :
+             {std::tuple{MessageKind::done, "good", "dialog-ok-apply", Colour::good},
+              {MessageKind::information, "info", "dialog-information", Colour::accent},
+              {MessageKind::warning, "warning", "dialog-warning", Colour::warning},
+              {MessageKind::error, "bad", "dialog-error", Colour::bad}}) {
             bar.tell({kind, QStringLiteral("words of kind %1").arg(static_cast<int>(kind)), {}, {}});
             QVERIFY(!bar.isHidden());
             QCOMPARE(bar.property("kind").toString(), QLatin1String(look));
             QCOMPARE(bar.findChild<QLabel*>(QStringLiteral("messages.text"))->text(),
                      QStringLiteral("words of kind %1").arg(static_cast<int>(kind)));
-            const QColor seen = colour(), wanted = theme.color(ink); // thin lines are not of the whole ink
-            QVERIFY2(std::abs(seen.red() - wanted.red()) + std::abs(seen.green() - wanted.green()) +
-                             std::abs(seen.blue() - wanted.blue()) <
-                         40,
-                     qPrintable(seen.name()));
+            const QPixmap sign = bar.findChildren<QLabel*>().front()->pixmap();
+            QCOMPARE(sign.toImage(), theme.icon(QLatin1String(icon), ink).pixmap(sign.size()).toImage());
             QCOMPARE(timer->isActive(), kind != MessageKind::error);
             QVERIFY(timer->isSingleShot() && timer->interval() >= 5000);
             QVERIFY(bar.findChild<QPushButton*>(QStringLiteral("messages.action"))->isHidden());
@@ -573,12 +564,17 @@ private slots:
         for (const int size : {16, 32, 256}) {
             const QImage sign = logoIcon().pixmap(size, size).toImage();
             QCOMPARE(sign.width(), size);
-            QCOMPARE(qAlpha(sign.pixel(0, 0)), 0); // round: what is behind it shows
-            QSet<QRgb> colours;
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x)
-                    colours << (sign.pixel(x, y) & 0xfff0f0f0);
-            QVERIFY2(colours.size() > 8, qPrintable(QString::number(size)));
+            // Round: what is behind it shows in the corners, and the disc reaches the middle of each side.
+            const QRegion clear = tests::regionOfAlpha(sign, 0), solid = tests::regionOfAlpha(sign, 255);
+            for (const QPoint corner :
+                 {QPoint(0, 0), QPoint(size - 1, 0), QPoint(0, size - 1), QPoint(size - 1, size - 1)})
+                QVERIFY(clear.contains(corner));
+            for (const QPoint side : {QPoint(size / 2, 1), QPoint(size / 2, size - 2), QPoint(1, size / 2),
+                                      QPoint(size - 2, size / 2)})
+                QVERIFY(!clear.contains(side));
+            QVERIFY2(tests::areaOf(solid) > size * size / 2, qPrintable(QString::number(size)));
+            QVERIFY(!sign.allGray()); // a disc in its colour, with a hand that is lighter
+            QVERIFY(sign != tests::inOneColour(sign, QColor(0, 0x58, 0x7d)));
         }
         tests::DesktopFixture desktop;
         QVERIFY(!desktop.window->windowIcon().isNull());

@@ -293,7 +293,7 @@ private slots:
             say({procedure(id), procedureInWords(id)});
         for (const char* token : {"force_error", "stopped", "withheld", "of_another"})
             say({spoiled(token), parameter(token)});
-        for (const char* name : {"threshold", "log10_sigma", "slope", "lapse", "tie"})
+        for (const char* name : {"threshold", "slope", "lapse", "tie"})
             say({parameter(name)});
         for (const double x : {0.0, -0.0, 1e-5, 0.01234, 1.0, 12.345, 1234.5, -3.75, 1e7, std::nan(""),
                                std::numeric_limits<double>::infinity()})

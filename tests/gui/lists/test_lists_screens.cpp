@@ -6,6 +6,7 @@
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/station/lateness_chart.h"
 #include "desktop/station/station_record.h"
@@ -14,7 +15,9 @@
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
 #include "support/languages.h"
+#include "support/paint_outline.h"
 #include "support/patience.h"
+#include "support/pdf_text.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -242,6 +245,18 @@ private slots:
             QVERIFY(std::is_sorted(std::begin(inOrder), std::end(inOrder), [&](int before, int after) {
                 return table->isColumnHidden(before) && !table->isColumnHidden(after);
             }));
+            database::SessionSummary
+                scripted; // whoever moved it can be read: in a column, or with the person
+            scripted.id = 1;
+            scripted.personName = "Nikos Newcomer";
+            scripted.exercise = "sphere_apex";
+            scripted.operatorName = "expert";
+            desktop.screen<SessionsScreen>()->model().setRows(
+                {makeSessionRow(scripted, exerciseTitles(desktop.context.site().catalogue(), language))});
+            const QString painted = tests::OutlineDevice::of(*table).join(QLatin1Char('\n'));
+            QVERIFY2(painted.contains(QLatin1Char('"') + SessionWords::moved(scripted) + QLatin1Char('"')) &&
+                         painted.contains(QStringLiteral("\"Nikos Newcomer\"")),
+                     qPrintable(painted));
             desktop.window->resize(2400, 900);
             QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) &&
                                          !table->isColumnHidden(Model::length) &&
@@ -698,6 +713,8 @@ private slots:
         QVERIFY(screen->writeLoopRecord(path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
+        const QString filed = tests::pdfText(path); // by whom: by their full name
+        QVERIFY2(filed.contains(QStringLiteral("Rhea Research")), qPrintable(filed));
         QVERIFY(!screen->writeLoopRecord(QStringLiteral("/no/such/folder/x.pdf")));
         auto connection = desktop.database().openReader();
         const auto audit = database::AuditRepository(**connection, desktop.actor("ada")).listAudit();

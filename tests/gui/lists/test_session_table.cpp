@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_csv.h"
 #include "gui/lists/many_sessions.h"
@@ -243,6 +244,18 @@ private slots:
         QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty() &&
                 text(SessionTableModel::attempt).isEmpty());
         QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Expert"));
+        const auto ofPerson = [&](int role) {
+            return table.model.index(0, SessionTableModel::person).data(role).toString();
+        };
+        QVERIFY(ofPerson(PlainCellDelegate::kSecondLine).isEmpty()); // it has a column of its own
+        table.model.setOperatorWithPerson(true);
+        QCOMPARE(ofPerson(PlainCellDelegate::kSecondLine), QStringLiteral("Expert"));
+        QCOMPARE(ofPerson(Qt::AccessibleTextRole), QStringLiteral("Theodora Papadopoulou, Expert"));
+        QCOMPARE(ofPerson(Qt::DisplayRole), QStringLiteral("Theodora Papadopoulou"));
+        s.operatorName.clear(); // somebody's own hand needs no word
+        table.model.replace(makeSessionRow(s, kTitles));
+        QVERIFY(ofPerson(PlainCellDelegate::kSecondLine).isEmpty() &&
+                ofPerson(Qt::AccessibleTextRole).isEmpty());
         s.familiarisation = true; // a practice is ended when there was enough of it
         s.gates = 5;
         s.gatesMet = 2;

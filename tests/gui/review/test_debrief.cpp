@@ -29,6 +29,7 @@ private slots:
     void passed();
     void failedSaysWhichMarkAndByHowMuch();
     void everyMissedMarkHasAdvice();
+    void aLowerLevelToPractiseOnIsOffered();
     void aCauseIsToldBeforeWhatItLeadsTo();
     void whatChangedSinceTheLastAttempt();
     void afterADemonstrationItIsOnesOwnTurn();
@@ -131,9 +132,41 @@ void TestDebrief::everyMissedMarkHasAdvice() {
                          qPrintable(reasons.join(QLatin1Char('|'))));
                 expected << QString::fromStdString(one.text.at("en"));
             }
-    QCOMPARE(advice, expected); // each beside its own mark
+    QCOMPARE(advice.size(), expected.size());
+    for (qsizetype i = 0; i < advice.size();
+         ++i) { // each beside its own mark, after what the recording shows
+        QVERIFY2(advice[i].endsWith(QLatin1Char(' ') + expected[i]), qPrintable(advice[i]));
+        QVERIFY2(advice[i].contains(QStringLiteral("in trial ")), qPrintable(advice[i]));
+        QVERIFY2(!advice[i].contains(QLatin1Char('{')), qPrintable(advice[i]));
+    }
     open(m_good);
     QVERIFY(texts("debrief.advice").isEmpty());
+}
+
+// The level below trains the same metrics; whoever looks at somebody else's session cannot go there.
+void TestDebrief::aLowerLevelToPractiseOnIsOffered() {
+    const auto offers = [&] {
+        QStringList words;
+        for (const QPushButton* button :
+             m_site->window->screen()->findChildren<QPushButton*>(QStringLiteral("debrief.practise")))
+            words << button->text();
+        return words;
+    };
+    open(m_bad);
+    const int level = m_made->bad.setup.level.number;
+    QCOMPARE(level, 2);
+    QCOMPARE(offers(), QStringList{QStringLiteral("Practise it on level 1: Visible sphere")}); // once for all
+    m_site->find<QPushButton>(QStringLiteral("debrief.practise"))->click();
+    const desktop::Place place = m_site->context.navigator().current();
+    QCOMPARE(place.screen, QStringLiteral("exercise_setup"));
+    QCOMPARE(place.parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));
+    QCOMPARE(place.parameters.value(QStringLiteral("level")).toInt(), 1);
+    open(m_good);
+    QCOMPARE(offers(), QStringList());
+    m_site->logIn("tom");
+    open(m_bad);
+    QCOMPARE(offers(), QStringList());
+    m_site->context.logIn(*m_tina);
 }
 
 // A miss counts as a large error: who marked in the air is told so before they read of the error. What has no
@@ -163,9 +196,12 @@ void TestDebrief::aCauseIsToldBeforeWhatItLeadsTo() {
     for (qsizetype i = 0; i < order.size(); ++i)
         QVERIFY2(verdict.reasons[i].startsWith(desktop::metricTitle(order[i])),
                  qPrintable(verdict.reasons.join(QLatin1Char('|'))));
-    QVERIFY(verdict.advice[0].startsWith(QStringLiteral("Before you mark")));
-    QVERIFY(verdict.advice[1].startsWith(QStringLiteral("Move over the top")));
-    QVERIFY(verdict.advice[2].isEmpty());
+    QCOMPARE(verdict.advice.size(), std::size_t(3));
+    for (std::size_t i = 0; i < 3; ++i)
+        QCOMPARE(QString::fromStdString(verdict.advice[i].metric), order[static_cast<qsizetype>(i)]);
+    QVERIFY(verdict.advice[0].text.startsWith(QStringLiteral("Before you mark")));
+    QVERIFY(verdict.advice[1].text.startsWith(QStringLiteral("Move over the top")));
+    QVERIFY(verdict.advice[2].text.isEmpty());
 }
 
 void TestDebrief::whatChangedSinceTheLastAttempt() {

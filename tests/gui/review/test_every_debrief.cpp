@@ -436,10 +436,17 @@ void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise
         QStringLiteral("report_%1_%2")
             .arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')),
                  language);
-    const QString pdf = print(reportOf(id, exercise, language), name);
+    const report::ReportData data = reportOf(id, exercise, language);
+    const QString pdf = print(data, name);
     const QStringList lines = tests::pdfLines(pdf);
     const QStringList foreign = foreignWords(lines, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+    // Whoever copies from it gets the text that is seen: all of a real report, in every language.
+    tests::PaintedPages pages;
+    QVERIFY(report::paintSession(pages, data, report::lightTheme(m_site->context.locale())));
+    QVERIFY(tests::wordsIn(pages.shapes()).size() > 20);
+    const QStringList lost = tests::notCopied(pages.shapes(), pdf);
+    QVERIFY2(lost.isEmpty(), qPrintable(lost.join(QLatin1Char('\n'))));
     if (ending != Ending::nothing)
         QVERIFY2(hasOwnWord(lines, exercise, language), qPrintable(lines.join(QLatin1Char('|'))));
     if (!hasPlots(exercise, ending))

@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/session_report/palpation_report.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "report/report_writer.h"
+#include "support/image_region.h"
 
 #include <QtTest>
 #include <cmath>
@@ -126,7 +127,7 @@ private slots:
         const QImage emptyMap(folder + QStringLiteral("/palpation_2.png"));
         QVERIFY(searchedMap.width() == 2800 && searchedMap.size() == emptyMap.size() &&
                 searchedMap != emptyMap);
-        QCOMPARE(searchedMap.pixelColor(0, 0), theme.paper);
+        QVERIFY(tests::regionOf(searchedMap, theme.paper).contains(QPoint(0, 0)));
     }
 
     void enoughRegionsForSensitivity() {

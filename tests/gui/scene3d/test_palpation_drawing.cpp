@@ -13,6 +13,8 @@
 #include "app/exercises/palpation/scene/tissue_mesh.h"
 #include "desktop/scene3d/camera_fit.h"
 #include "gui/scene3d/palpation_samples.h"
+#include "support/image_region.h"
+#include "support/painted_shapes.h"
 
 #include <QPaintEngine>
 #include <QPainter>
@@ -55,27 +57,18 @@ TissueSurface surfaceOf(Tissue tissue) {
     return TissueSurface(samples::palpationParameters(tissue).tissue.shape);
 }
 
-QImage flagPicture(const FindingFlag& flag, const SceneSetup& setup) {
-    QImage picture(64, 64, QImage::Format_RGB32);
-    picture.fill(QColor(200, 150, 140));
+std::vector<tests::PaintedShape> flagPicture(const FindingFlag& flag, const SceneSetup& setup) {
+    tests::PaintedShapes picture(QSize(64, 64));
     QPainter painter(&picture);
     paintFindingFlag(painter, QRectF(0, 0, 64, 64), flag, setup);
-    return picture;
+    painter.end();
+    return picture.shapes();
 }
 
-int differing(const QImage& a, const QImage& b) {
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
-    return count;
-}
-
-/// The pixel of a map picture at a place of W.
-QColor pixelAt(const QImage& picture, const simulation::SurfaceMap& map, double x_m, double y_m) {
-    const int x = int((0.5 + 0.5 * x_m / map.half_m().x()) * picture.width());
-    const int y = int((0.5 - 0.5 * y_m / map.half_m().y()) * picture.height());
-    return picture.pixelColor(x, y);
+/// Where a place of W lies in a map picture.
+QPoint placeIn(const QImage& picture, const simulation::SurfaceMap& map, double x_m, double y_m) {
+    return {int((0.5 + 0.5 * x_m / map.half_m().x()) * picture.width()),
+            int((0.5 - 0.5 * y_m / map.half_m().y()) * picture.height())};
 }
 
 /// A shape or picture as it was painted, with what fills it.
@@ -340,25 +333,20 @@ private slots:
         map.press({0.020, 0.015}, 1.0);
         map.press({-0.020, -0.015}, 0.3);
         const QImage picture = mapPicture(map, setup, SurfaceMapKind::coverage);
-        QCOMPARE(pixelAt(picture, map, 0.0205, 0.0152),
-                 mapColour(setup.colours, SurfaceMapKind::coverage, MapBand::inBand));
-        int hatched = 0; // pressed, but not searched
-        for (int i = 0; i < 24; ++i)
-            hatched += pixelAt(picture, map, -0.022 + 0.0002 * i, -0.0152).rgba() ==
-                               mapHatch(setup.colours, false).rgba()
-                           ? 1
-                           : 0;
-        QVERIFY(hatched > 0 && hatched < 12);
-        int bare = 0;
-        for (int i = 0; i < 24; ++i)
-            bare += pixelAt(picture, map, -0.022 + 0.0002 * i, 0.0152).alpha() == 0 ? 1 : 0;
-        QVERIFY(bare > 12 && bare < 24); // skin with hatching
-        const QRgb edge = qRgba(16, 26, 36, 230);
-        int border = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                border += picture.pixel(x, y) == edge ? 1 : 0;
-        QVERIFY(border > 40); // round what was searched
+        const auto inBand = mapColour(setup.colours, SurfaceMapKind::coverage, MapBand::inBand);
+        QVERIFY(tests::regionOf(picture, inBand).contains(placeIn(picture, map, 0.0205, 0.0152)));
+        const QRegion hatch = tests::regionOf(picture, mapHatch(setup.colours, false)),
+                      skin = tests::regionOfAlpha(picture, 0);
+        int hatched = 0, bare = 0;
+        for (int i = 0; i < 24; ++i) {
+            const double x_m = -0.022 + 0.0002 * i;
+            hatched += hatch.contains(placeIn(picture, map, x_m, -0.0152)) ? 1 : 0;
+            bare += skin.contains(placeIn(picture, map, x_m, 0.0152)) ? 1 : 0;
+        }
+        QVERIFY(hatched > 0 && hatched < 12); // pressed, but not searched
+        QVERIFY(bare > 12 && bare < 24);      // skin with hatching
+        const QRegion border = tests::regionOf(picture, QColor(16, 26, 36, 230));
+        QVERIFY(tests::areaOf(border) > 40); // round what was searched
     }
 
     void stepsOfForceDifferInLightness() {
@@ -391,12 +379,16 @@ private slots:
     void outcomesDifferInShape() {
         SceneSetup setup = samples::palpationSetup(Tissue::pad);
         setup.colours.over = setup.colours.arrow = setup.colours.ink; // where colours say nothing
-        const QImage open = flagPicture({1, FindingOutcome::open, false}, setup);
-        const QImage hit = flagPicture({1, FindingOutcome::hit, false}, setup);
-        const QImage wrong = flagPicture({1, FindingOutcome::falseAlarm, false}, setup);
-        QVERIFY(differing(open, hit) > 120 && differing(open, wrong) > 120 && differing(hit, wrong) > 120);
-        QVERIFY(differing(open, flagPicture({1, FindingOutcome::open, true}, setup)) > 100);
-        QVERIFY(differing(open, flagPicture({2, FindingOutcome::open, false}, setup)) > 20);
+        const auto flag = [&](int number, FindingOutcome outcome, bool chosen) {
+            return flagPicture({number, outcome, chosen}, setup);
+        };
+        const auto open = flag(1, FindingOutcome::open, false), hit = flag(1, FindingOutcome::hit, false),
+                   wrong = flag(1, FindingOutcome::falseAlarm, false);
+        using tests::differingForms_px;
+        QVERIFY(differingForms_px(open, hit) > 120.0 && differingForms_px(open, wrong) > 120.0 &&
+                differingForms_px(hit, wrong) > 120.0);
+        QVERIFY(differingForms_px(open, flag(1, FindingOutcome::open, true)) > 100.0);
+        QVERIFY(differingForms_px(open, flag(2, FindingOutcome::open, false)) > 20.0);
     }
 
     void bandIsShownWhereTheLevelShowsIt() {
@@ -530,17 +522,17 @@ private slots:
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.006);
         state.exercise.own<simulation::PalpationCues>() = {};
         const auto picture = [&](const SceneState& shown) {
-            QImage image(400, 300, QImage::Format_RGB32);
-            image.fill(Qt::white);
+            tests::PaintedShapes image(QSize(400, 300));
             QPainter painter(&image);
             FlatPanel panel(FlatPanel::Side::side, flat.rangeSide_mm(), setup);
             panel.place({0, 0}, 3.0);
             flat.paint(painter, panel, setup, shown);
-            return image;
+            painter.end();
+            return image.shapes();
         };
-        QVERIFY(differing(picture(state), picture({})) > 500);
+        QVERIFY(tests::differingForms_px(picture(state), picture({})) > 500.0);
         setup.cues.tool = false;
-        QCOMPARE(differing(picture(state), picture({})), 0);
+        QVERIFY(picture(state) == picture({}));
     }
 };
 

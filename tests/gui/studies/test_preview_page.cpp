@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <cmath>
 
 using chiron::tests::kPatience_ms;
 
@@ -88,8 +89,13 @@ void TestPreviewPage::aComparisonHasItsAssumptions() {
     const psychophysics::PowerQuestion usual;
     QCOMPARE(find<QCheckBox>("preview.paired")->isChecked(), usual.paired);
     QCOMPARE(find<QSpinBox>("preview.participants")->value(), 6); // as the design plans
-    QCOMPARE(find<QDoubleSpinBox>("preview.effect_sd")->value(), usual.effectSdLog10);
-    QCOMPARE(find<QDoubleSpinBox>("preview.person_sd")->value(), usual.personSdLog10);
+    // Spreads in per cent: 0.05 and 0.15 of a logarithm are factors of 1.122 and 1.413.
+    QCOMPARE(usual.effectSdLog10, 0.05);
+    QCOMPARE(usual.personSdLog10, 0.15);
+    QCOMPARE(find<QDoubleSpinBox>("preview.effect_sd")->value(), 12.2);
+    QCOMPARE(find<QDoubleSpinBox>("preview.person_sd")->value(), 41.3);
+    for (const char* field : {"preview.effect_sd", "preview.person_sd"})
+        QCOMPARE(find<QDoubleSpinBox>(field)->suffix().trimmed(), QStringLiteral("%"));
     QCOMPARE(find<QDoubleSpinBox>("preview.alpha")->value(), 100.0 * usual.alpha);
     QCOMPARE(find<QDoubleSpinBox>("preview.power")->value(), 80.0);
     // Which spread counts follows from who does what.
@@ -147,14 +153,14 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     after("preview.power", 95.0);
     wanted = 0.95;
     QCOMPARE(told(), QString());
-    after("preview.effect_sd", 0.2);
-    question.effectSdLog10 = 0.2;
+    after("preview.effect_sd", 58.5);
+    question.effectSdLog10 = std::log10(1.585);
     QCOMPARE(told(), QString());
-    after("preview.person_sd", 0.4); // of people who do both nothing changes
+    after("preview.person_sd", 151.2); // of people who do both nothing changes
     QCOMPARE(told(), QString());
     find<QCheckBox>("preview.paired")->click();
     question.paired = false;
-    question.personSdLog10 = 0.4;
+    question.personSdLog10 = std::log10(2.512);
     QCOMPARE(told(), QString());
     find<QSpinBox>("preview.participants")->setValue(2);
     question.participants = 2;

@@ -460,6 +460,17 @@ void TestStudyScreens::dataAndUnblinding() {
             m_site->window->screen()->findChild<QTableWidget*>(QStringLiteral("data.worths"));
         QCOMPARE(worths != nullptr, ranks);
         QVERIFY(!worths || worths->rowCount() == 9); // three models of three objects
+        QStringList words;
+        for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>())
+            words << label->text();
+        QVERIFY2(words.filter(QStringLiteral("log10")).isEmpty(), qPrintable(words.join(QLatin1Char('\n'))));
+        if (tab == desktop::StudyDataScreen::personTab) { // spreads are told in per cent, with their meaning
+            const qsizetype noise = words.indexOf(QStringLiteral("Internal noise"));
+            QVERIFY2(noise >= 0 && words.value(noise + 1).endsWith(QStringLiteral(" %")) &&
+                         words.value(noise + 2).endsWith(QStringLiteral(" %")) &&
+                         words.value(noise + 3).contains(QStringLiteral("one standard deviation")),
+                     qPrintable(words.join(QLatin1Char('\n'))));
+        }
         keepPicture(QStringLiteral("/study_data_%1.png").arg(tab));
     }
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});

@@ -6,14 +6,15 @@
 #include "desktop/training/answer_note.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "session/exercise_kind.h"
+#include "support/painted_shapes.h"
 
-#include <QImage>
 #include <QPainter>
 #include <QtTest>
 
 using namespace chiron;
 using desktop::AnswerNote;
 using scene3d::SceneNote;
+using tests::PaintedShape;
 namespace bits = core::event_bits;
 
 namespace {
@@ -66,14 +67,16 @@ QString saidBeside(const catalogue::ExerciseLevel& level, int trial, double x_m,
                 language);
 }
 
-QImage painted(const SceneNote& note, double scale = 1.0) {
+constexpr QSize kScene(640, 360);
+
+std::vector<PaintedShape> painted(const SceneNote& note, double scale = 1.0) {
     scene3d::SceneSetup setup;
     setup.scale = scale;
-    QImage image(640, 360, QImage::Format_RGB32);
-    image.fill(QColor(200, 120, 90));
-    QPainter painter(&image);
-    scene3d::SceneNotePainter(setup).paint(painter, QRectF(image.rect()), 1.0, note);
-    return image;
+    tests::PaintedShapes scene(kScene);
+    QPainter painter(&scene);
+    scene3d::SceneNotePainter(setup).paint(painter, QRectF(QPointF(), kScene), 1.0, note);
+    painter.end();
+    return scene.shapes();
 }
 
 } // namespace
@@ -335,37 +338,61 @@ private slots:
     /// A scene that stands still is dark all over, and a pause does not look like a stop; what is said leaves
     /// the scene as it is.
     void aVeilIsUnmistakable() {
-        const QImage bare = painted({});
+        using Kind = PaintedShape::Kind;
         const SceneNote paused{SceneNote::Kind::paused, QStringLiteral("Paused"),
                                QStringLiteral("Press Space.")};
         const SceneNote stopped{SceneNote::Kind::stopped, QStringLiteral("Force is stopped"),
                                 QStringLiteral("Press R.")};
+        const auto inSign =
+            [](const std::vector<PaintedShape>& shapes) { // all that is neither veil nor words
+                std::vector<PaintedShape> sign;
+                for (std::size_t i = 1; i < shapes.size(); ++i)
+                    if (shapes[i].kind != Kind::words)
+                        sign.push_back(shapes[i]);
+                return sign;
+            };
         for (const double scale : {1.0, 2.0})
             for (const SceneNote& note : {paused, stopped}) {
-                const QImage veiled = painted(note, scale);
-                for (const QPoint at :
-                     {QPoint(5, 5), QPoint(634, 5), QPoint(5, 354), QPoint(634, 354), QPoint(320, 350)})
-                    QVERIFY(veiled.pixelColor(at).lightness() < bare.pixelColor(at).lightness() / 2);
-                int white = 0;
-                for (int y = 0; y < veiled.height(); ++y)
-                    for (int x = 0; x < veiled.width(); ++x)
-                        white += veiled.pixelColor(x, y).lightness() > 200 ? 1 : 0;
-                QVERIFY2(white > 1500, qPrintable(QString::number(white))); // sign and words
-            }
-        const auto red = [](const QImage& image) {
-            int count = 0;
-            for (int y = 0; y < image.height(); ++y)
-                for (int x = 0; x < image.width(); ++x) {
-                    const QColor c = image.pixelColor(x, y);
-                    count += c.red() > 140 && c.green() < 70 && c.blue() < 80 ? 1 : 0;
+                const std::vector<PaintedShape> shapes = painted(note, scale);
+                QVERIFY(!shapes.empty());
+                const PaintedShape& veil = shapes.front(); // under all the rest, over all the scene
+                QVERIFY(veil.kind == Kind::rect && veil.bounds == QRectF(QPointF(), kScene));
+                QVERIFY(veil.brush.style() == Qt::SolidPattern && veil.brush.color().lightness() == 0 &&
+                        veil.brush.color().alphaF() > 0.5F && veil.brush.color().alpha() < 255);
+                const QStringList words = tests::wordsIn(shapes);
+                QCOMPARE(words.join(QLatin1Char(' ')).simplified(),
+                         note.title + QLatin1Char(' ') + note.words);
+                const std::vector<PaintedShape> sign = inSign(shapes);
+                QVERIFY(!sign.empty());
+                double white_px = 0.0; // of the sign's insides
+                for (const PaintedShape& shape : sign)
+                    if (shape.filled() && shape.brush.color() == Qt::white)
+                        white_px += shape.bounds.width() * shape.bounds.height();
+                QVERIFY2(white_px > 400.0, qPrintable(QString::number(white_px)));
+                for (const PaintedShape& shape : shapes) {
+                    QVERIFY(QRectF(QPointF(), kScene).contains(shape.bounds));
+                    if (shape.kind == Kind::words)
+                        QVERIFY(shape.pen.color().lightness() > 200);
                 }
-            return count;
-        };
-        QVERIFY(red(painted(stopped)) > 1000);
-        QCOMPARE(red(painted(paused)), 0);
-        const QImage plate = painted({SceneNote::Kind::said, QStringLiteral("1.1 mm from the top"), {}});
-        QVERIFY(plate != bare);
-        QCOMPARE(plate.copy(0, 180, 640, 180), bare.copy(0, 180, 640, 180)); // its lower half is left alone
+            }
+        // A pause is two bars, a stop an octagon of its colour: they differ in form as well.
+        const std::vector<PaintedShape> bars = inSign(painted(paused)), stop = inSign(painted(stopped));
+        QCOMPARE(bars.size(), std::size_t(2));
+        for (const PaintedShape& bar : bars)
+            QVERIFY(bar.kind == Kind::rect && bar.bounds.height() > 2.0 * bar.bounds.width());
+        QVERIFY(stop.front().kind == Kind::polygon && stop.front().corners.size() == 8);
+        QCOMPARE(stop.front().brush.color(), scene3d::SceneSetup{}.colours.stop);
+        QVERIFY(stop.front().bounds.width() * stop.front().bounds.height() > 1000.0);
+        const QColor red = scene3d::SceneSetup{}.colours.stop;
+        QVERIFY(red.red() > 140 && red.green() < 70 && red.blue() < 80);
+        for (const PaintedShape& bar : bars)
+            QVERIFY(bar.brush.color() != red);
+        const std::vector<PaintedShape> plate =
+            painted({SceneNote::Kind::said, QStringLiteral("1.1 mm from the top"), {}});
+        QCOMPARE(tests::wordsIn(plate), QStringList{QStringLiteral("1.1 mm from the top")});
+        for (const PaintedShape& shape : plate) // the scene's lower half is left alone
+            QVERIFY(shape.bounds.bottom() < kScene.height() / 2.0);
+        QVERIFY(painted({}).empty());
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 #include "gui/training/posed_endoscope.h"
+#include "support/painted_shapes.h"
 
 #include <QAccessible>
 #include <QLabel>
@@ -221,10 +222,23 @@ void TestInsertionPanel::overTheLimitIsSaid() {
     bar.setValue(std::nan(""));
     QCOMPARE(bar.value(), -10.1);
     bar.resize(120, 40);
-    QPixmap picture(bar.size());
-    bar.render(&picture);
-    QVERIFY(picture.toImage().pixelColor(30, 25) !=
-            picture.toImage().pixelColor(90, 25)); // filled to the left alone
+    const auto filled = [&](Qt::BrushStyle style, const QColor& colour) {
+        QRectF all;
+        for (const tests::PaintedShape& shape : tests::PaintedShapes::of(bar))
+            if (shape.kind == tests::PaintedShape::Kind::rect && shape.brush.style() == style &&
+                shape.brush.color() == colour && !shape.drawn())
+                all |= shape.bounds;
+        return all;
+    };
+    const QRectF over = filled(Qt::SolidPattern, m_theme.color(Colour::bad));
+    QVERIFY2(over.right() <= 60.0 && over.left() < 30.0 && over.height() > 5.0, // to the left alone
+             qPrintable(QStringLiteral("%1 to %2").arg(over.left()).arg(over.right())));
+    QCOMPARE(filled(Qt::BDiagPattern, m_theme.color(Colour::surface)), over); // not shown by colour alone
+    QVERIFY(filled(Qt::SolidPattern, m_theme.color(Colour::seriesA)).isNull());
+    bar.setValue(9.9);
+    const QRectF within = filled(Qt::SolidPattern, m_theme.color(Colour::seriesA));
+    QVERIFY2(within.left() >= 59.0 && within.right() > 90.0, qPrintable(QString::number(within.left())));
+    QVERIFY(filled(Qt::BDiagPattern, m_theme.color(Colour::surface)).isNull());
 }
 
 /// At a small window nothing of it is wider than its place, at either end of the scale.

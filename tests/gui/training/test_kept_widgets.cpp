@@ -58,6 +58,8 @@ Made cells(const Theme& theme, bool chips) {
                 item->setData(theme.color(Colour::bad), Qt::ForegroundRole);
             } else if (row == 0 && column == 0)
                 item->setData(theme.icon("object-unlocked"), Qt::DecorationRole);
+            else if (row == 1 && column == 2)
+                item->setData(QStringLiteral("a second line"), PlainCellDelegate::kSecondLine);
             model->setItem(row, column, item);
         }
     view->setModel(model);

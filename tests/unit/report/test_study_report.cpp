@@ -113,13 +113,14 @@ private:
         }
         return study;
     }
+    static report::PlotTheme theme() {
+        return report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    }
     core::Result<void> report(database::StudyNumber study, const QString& file,
                               const std::string& language = "en") {
         auto connection = m_site.database->openReader();
         database::StudyReader reader(**connection, database::Actor::simulated());
-        return session_report::writeStudyReport(
-            file, reader, study, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)),
-            language);
+        return session_report::writeStudyReport(file, reader, study, theme(), language);
     }
     QString file(const char* name) const {
         const QString kept = qEnvironmentVariable("CHIRON_KEEP_PICTURES");
@@ -163,6 +164,16 @@ void TestStudyReport::tellsAll() {
              qPrintable(text)); // as the scale has it, without noughts
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));
+    // Whoever copies from it gets the text that is seen.
+    auto connection = m_site.database->openReader();
+    database::StudyReader reader(**connection, database::Actor::simulated());
+    for (const auto& [name, language] : {std::pair{"study.pdf", "en"}, {"study_de.pdf", "de"}}) {
+        tests::PaintedPages pages;
+        QVERIFY(session_report::paintStudyReport(pages, reader, study, theme(), language));
+        QVERIFY(tests::wordsIn(pages.shapes()).size() > 100);
+        const QStringList lost = tests::notCopied(pages.shapes(), file(name));
+        QVERIFY2(lost.isEmpty(), qPrintable(lost.join(QLatin1Char('\n'))));
+    }
 }
 
 void TestStudyReport::blindUntilUnblinded() {

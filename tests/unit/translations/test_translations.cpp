@@ -3,6 +3,8 @@
 // forgotten, because lupdate reads the sources again here.
 #include "core/languages.h"
 #include "support/feeling_words.h"
+#include "unit/translations/content_sentences.h"
+#include "unit/translations/glossary_stems.h"
 #include "unit/translations/text_rules.h"
 
 #include <QDirIterator>
@@ -183,25 +185,14 @@ private slots:
     }
 
     /// A text that is a term by itself reads as docs/glossary.md has it, on every screen.
-    void termsAreTheGlossarys_data() {
-        QTest::addColumn<QString>("locale");
-        QTest::addColumn<int>("cell"); // the columns are in the order of the languages
-        for (int cell = 1; cell < locales().size(); ++cell)
-            QTest::newRow(qPrintable(locales()[cell])) << locales()[cell] << cell;
-    }
+    void termsAreTheGlossarys_data() { inTranslation(); }
     void termsAreTheGlossarys() {
         QFETCH(QString, locale);
         QFETCH(int, cell);
-        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/docs/glossary.md"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
         QHash<QString, QStringList> terms;
-        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
-            const QStringList cells = line.split(QLatin1Char('|')).mid(1, locales().size());
-            if (cells.size() == locales().size() && !line.startsWith(QLatin1String("|---")) &&
-                cells[0].trimmed() != QLatin1String("English"))
-                for (const QString& term : formsIn(cells[0]))
-                    terms[term] << formsIn(cells[cell]);
-        }
+        for (const QStringList& cells : glossary())
+            for (const QString& term : formsIn(cells[0]))
+                terms[term] << formsIn(cells[cell]);
         QVERIFY(terms.size() > 60);
         const auto messages = readTs(catalogue(locale));
         QVERIFY(messages.has_value());
@@ -219,6 +210,81 @@ private slots:
         }
         QVERIFY2(others.isEmpty(), qPrintable(report(others)));
         QVERIFY(checked > 20);
+    }
+
+    /// Terms within sentences are recognised by stems; they and the glossary belong together.
+    void everyTermHasStems() {
+        QStringList faults;
+        const GlossaryStems stems(stemsFile(), faults);
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+        QStringList inGlossary;
+        for (const QStringList& cells : glossary())
+            for (const QString& form : formsIn(cells[0])) {
+                inGlossary << form;
+                for (int cell = 1; cell < locales().size(); ++cell)
+                    if (!stems.has(form, cells[cell], locales()[cell]))
+                        faults << QStringLiteral("%1: no stem of \"%2\"").arg(form, cells[cell].trimmed());
+            }
+        for (const QString& term : stems.firstForms())
+            if (!inGlossary.contains(term.toLower()))
+                faults << term + QStringLiteral(": not in the glossary");
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+    }
+
+    void stemsNoticeOtherWords_data() {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<QString>("translation");
+        QTest::addColumn<QStringList>("missing");
+        const auto row = [](const char* name, const char* source, const char* translation,
+                            const QStringList& missing) {
+            QTest::newRow(name) << QString::fromUtf8(source) << QString::fromUtf8(translation) << missing;
+        };
+        row("the term", "Lift the tool.", "Heben Sie das Instrument an.", {});
+        row("another word", "Lift the tool.", "Heben Sie das Werkzeug an.", {QStringLiteral("tool")});
+        row("plural", "Two tools", "Zwei Werkzeuge", {QStringLiteral("tool")});
+        row("large letters", "Trial 2", "Versuch 2", {QStringLiteral("trial")});
+        row("inside of a German word", "Force limit", "Kraftgrenze", {});
+        row("part of another word", "Enforced limits", "Erzwungene Grenzen", {});
+        row("in a longer term", "Pass mark: 3", "Bestehensgrenze: 3", {});
+        row("in a longer term and by itself", "Mark it. Pass mark: 3", "Los. Bestehensgrenze: 3",
+            {QStringLiteral("mark")});
+        row("words with another meaning", "In quotation marks", "In Anführungszeichen", {});
+        row("two", "The tool of a trial", "Das Werkzeug eines Versuchs",
+            {QStringLiteral("trial"), QStringLiteral("tool")});
+    }
+    void stemsNoticeOtherWords() {
+        QFETCH(QString, source);
+        QFETCH(QString, translation);
+        QFETCH(QStringList, missing);
+        QStringList faults;
+        GlossaryStems stems(stemsFile(), faults);
+        QCOMPARE(stems.missingIn({QStringLiteral("a place"), source, translation}, QStringLiteral("de")),
+                 missing);
+    }
+
+    /// Every sentence that has a term in English has it in the translation: the catalogues and the content.
+    void sentencesHaveTheTerms_data() { inTranslation(); }
+    void sentencesHaveTheTerms() {
+        QFETCH(QString, locale);
+        QStringList faults;
+        GlossaryStems stems(stemsFile(), faults);
+        std::vector<Sentence> sentences =
+            contentSentences(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content"), locale, faults);
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+        QVERIFY(sentences.size() > 400);
+        const auto messages = readTs(catalogue(locale));
+        QVERIFY(messages.has_value());
+        for (const TsMessage& message : *messages)
+            for (const QString& translation : message.translations)
+                sentences.push_back({message.context, message.source, translation});
+        for (const Sentence& sentence : sentences)
+            for (const QString& term : stems.missingIn(sentence, locale))
+                faults << QStringLiteral("%1 is missing in %2: \"%3\" \"%4\"")
+                              .arg(term, sentence.place, sentence.source, sentence.translation);
+        for (const QString& exception : stems.unused(locale))
+            faults << QStringLiteral("an exception that nothing needs: ") + exception;
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+        QVERIFY2(stems.found() > 2000, qPrintable(QString::number(stems.found())));
     }
 
     /// Where force is shown and not felt, no text at work may speak of feeling. The pairs that differ between
@@ -279,6 +345,32 @@ private:
         QTest::addColumn<QString>("locale");
         for (const QString& locale : locales())
             QTest::newRow(qPrintable(locale)) << locale;
+    }
+
+    static void inTranslation() {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<int>("cell"); // of the glossary, whose columns are in the order of the languages
+        for (int cell = 1; cell < locales().size(); ++cell)
+            QTest::newRow(qPrintable(locales()[cell])) << locales()[cell] << cell;
+    }
+
+    static QString stemsFile() {
+        return QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/translations/glossary_stems.txt");
+    }
+
+    /// The rows of the glossary: a cell for each language, English first.
+    static std::vector<QStringList> glossary() {
+        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/docs/glossary.md"));
+        if (!file.open(QIODevice::ReadOnly))
+            qFatal("the glossary cannot be read");
+        std::vector<QStringList> rows;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+            const QStringList cells = line.split(QLatin1Char('|')).mid(1, locales().size());
+            if (cells.size() == locales().size() && !line.startsWith(QLatin1String("|---")) &&
+                cells[0].trimmed() != QLatin1String("English"))
+                rows.push_back(cells);
+        }
+        return rows;
     }
 
     /// The forms in a cell, without what stands in brackets, in small letters.

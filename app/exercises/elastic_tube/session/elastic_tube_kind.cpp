@@ -172,6 +172,10 @@ std::vector<MomentRule> ElasticTubeKind::momentRules() const {
     using enum PlaybackMarkKind;
     return {{.metric = "over_stretches", .marks = {damaged, failed}},
             {.metric = "drops", .marks = {slipped}},
+            {.metric = "retraction_max",
+             .by = MomentRule::By::largestQuantity,
+             .quantity = "retraction_N",
+             .unit = "N"},
             {.metric = "procedure_completed", .marks = {failed}, .spread = true}}; // where it tore
 }
 

@@ -275,7 +275,7 @@ Demonstration PalpationKind::demonstration() const {
 
 std::vector<MomentRule> PalpationKind::momentRules() const {
     using enum PlaybackMarkKind;
-    return {{.metric = "palpation_misses", .marks = {lumpMissed}},
+    return {{.metric = "palpation_misses", .marks = {lumpMissed}, .ofWholeTrial = true},
             {.metric = "palpation_false_alarms", .marks = {falseAlarm}}};
 }
 

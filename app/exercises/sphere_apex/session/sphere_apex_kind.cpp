@@ -217,7 +217,9 @@ const MarkSessions* SphereApexKind::markSessions(const psychophysics::Condition&
 }
 
 std::vector<MomentRule> SphereApexKind::momentRules() const {
-    return {{.metric = "apex_*", .by = MomentRule::By::farthestAnswer}};
+    using enum PlaybackMarkKind;
+    return {{.metric = "apex_misses", .marks = {missed, timedOut}},
+            {.metric = "apex_*", .by = MomentRule::By::farthestAnswer}};
 }
 
 } // namespace chiron::session

@@ -197,7 +197,15 @@ std::vector<MomentRule> UrethraInsertionKind::momentRules() const {
              .by = MomentRule::By::largestMark,
              .marks = {reversal},
              .factor = 1e3,
-             .unit = "mm"}};
+             .unit = "mm"},
+            {.metric = "insertion_depth", .by = MomentRule::By::deepest}};
+}
+
+std::optional<double> UrethraInsertionKind::depthAt_m(const PlaybackTrack& track, double t_s) const {
+    const auto moment = insertionAt(track, t_s);
+    if (!moment || !std::isfinite(moment->depth_m))
+        return std::nullopt;
+    return moment->depth_m;
 }
 
 } // namespace chiron::session

@@ -46,6 +46,7 @@ public:
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+    std::optional<double> depthAt_m(const PlaybackTrack& track, double t_s) const override;
 };
 
 } // namespace chiron::session
