@@ -12,6 +12,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <cmath>
 #include <cstdio>
 
 namespace chiron::cli {
@@ -170,6 +171,11 @@ QJsonArray yieldsOf(const QJsonArray& events) {
     return yields;
 }
 
+/// Metres as millimetres with one decimal; what rounds to nothing has no sign.
+static QString millimetres(double value_m) {
+    return QString::number(std::round(1e4 * value_m) / 10.0 + 0.0, 'f', 1);
+}
+
 QString yieldsText(const QJsonArray& yields) {
     QString lines;
     for (const QJsonValue yield : yields) {
@@ -185,9 +191,8 @@ QString yieldsText(const QJsonArray& yields) {
                               cause["unit"].toString());
         if (const QJsonArray place = yield["position_m"].toArray(); place.size() == 3)
             lines += QStringLiteral(", tip at x %1, y %2, z %3 mm")
-                         .arg(1e3 * place[0].toDouble(), 0, 'f', 1)
-                         .arg(1e3 * place[1].toDouble(), 0, 'f', 1)
-                         .arg(1e3 * place[2].toDouble(), 0, 'f', 1);
+                         .arg(millimetres(place[0].toDouble()), millimetres(place[1].toDouble()),
+                              millimetres(place[2].toDouble()));
         lines += QLatin1Char('\n');
     }
     return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;

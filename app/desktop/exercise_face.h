@@ -73,6 +73,16 @@ public:
         return AnswerTexts::tr("Marked");
     }
 
+    /// What is said as soon as tissue gives way: on a level that gives feedback with what to do about it.
+    /// `ends`: the trial failed with it.
+    virtual QString yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const {
+        if (ends)
+            return AnswerTexts::tr("The tissue gave way: this trial can no longer be completed");
+        return level.feedback
+                   ? AnswerTexts::tr("Too hard: the tissue gave way. Draw back until you are out of it")
+                   : AnswerTexts::tr("The tissue gave way");
+    }
+
     /// Heading of the exercise's part of a debrief.
     virtual QString debriefTitle() const = 0;
     /// Text shown there if no trial was started.

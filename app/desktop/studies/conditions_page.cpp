@@ -312,8 +312,8 @@ void ConditionsPage::addNames(FieldGrid& grid) {
 namespace {
 
 /// Updates names that contain the reference value: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and
-/// "tube_60_2" becomes "tube_120". A short name without the value follows the title if it is made of it
-/// (`followsTitle`). Other names stay as they are.
+/// "tube_60_2" becomes "tube_120", as "sphere_20mm" becomes "sphere_30mm". A short name without the value
+/// follows the title if it is made of it (`followsTitle`). Other names stay as they are.
 void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit,
                      bool followsTitle) {
     Condition& changed = design.conditions[at];
@@ -346,12 +346,12 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
     }
     static const QRegularExpression kNoKey(QStringLiteral("[^a-z0-9]+"));
     const auto key = [](QString number) { return number.replace(kNoKey, QStringLiteral("_")); };
-    const QRegularExpression id(
-        QStringLiteral("^(.*_)%1(_\\d+)?$").arg(QRegularExpression::escape(key(was))));
+    const QRegularExpression id(QStringLiteral("^(.*_)%1((?:_?%2)?)(_\\d+)?$")
+                                    .arg(QRegularExpression::escape(key(was)), key(unit.toLower())));
     if (const auto match = id.match(QString::fromStdString(changed.id)); match.hasMatch()) {
-        const QString plain = match.captured(1) + key(now);
+        const QString plain = match.captured(1) + key(now) + match.captured(2);
         const bool mine = isFree([&](const Condition& other) { return other.id == plain.toStdString(); });
-        changed.id = (mine ? plain : plain + match.captured(2)).toStdString();
+        changed.id = (mine ? plain : plain + match.captured(3)).toStdString();
     } else if (followsTitle && englishTitle(changed) != titleBefore) {
         nameByTitle(design, at);
     }

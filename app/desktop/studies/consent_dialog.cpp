@@ -2,6 +2,7 @@
 #include "desktop/studies/consent_dialog.h"
 
 #include "desktop/frame/languages.h"
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 
@@ -15,7 +16,7 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
                              const database::Participant& participant, QWidget* parent)
     : FormDialog(context, QStringLiteral("consent"),
                  tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent),
-      m_texts(study.design.consent), m_told(study.design.instructions), m_participant(participant) {
+      m_texts(study.design.consent), m_told(shownInstructions(study.design)), m_participant(participant) {
     m_language = new QComboBox;
     m_language->setObjectName(QStringLiteral("consent.language"));
     m_language->setAccessibleName(tr("Language"));

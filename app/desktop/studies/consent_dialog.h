@@ -26,7 +26,7 @@ private:
     void showText();
 
     psychophysics::StudyText m_texts;
-    psychophysics::StudyText m_told; ///< the instructions
+    psychophysics::StudyText m_told; ///< shownInstructions()
     database::Participant m_participant;
     QComboBox* m_language = nullptr;
     QLabel* m_instructions = nullptr;

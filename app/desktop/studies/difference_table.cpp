@@ -9,6 +9,7 @@
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
@@ -144,10 +145,7 @@ void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
                           "each is larger than the one before by about the same factor."),
                  {1, kMostCandidates, kUsualCount});
     grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides,
-               [this](bool to) {
-                   m_bothSides = to;
-                   generate();
-               });
+               [this](bool to) { takeBothSides(to); });
     grid.explain(QStringLiteral("differences.both"),
                  tr("Also objects with less of the attribute than the reference."));
     // A table that already has them can be regenerated without them.
@@ -185,6 +183,24 @@ void DifferenceTable::typed(const std::vector<double>& percents) {
     }
     std::sort(differences.begin(), differences.end());
     emit changed(differences);
+}
+
+/// A table on one side has a smallest difference, which one on both sides did not need: it becomes the usual
+/// one, or a tenth of a largest that is smaller still.
+void DifferenceTable::takeBothSides(bool both) {
+    constexpr double kLeast_percent = 0.01;
+    const QString low = QStringLiteral("differences.low");
+    m_bothSides = both;
+    m_grid->setShown(low, !both);
+    if (!both && m_low_percent >= m_high_percent) {
+        const double usual_percent = kPercent * kUsualLow;
+        m_low_percent =
+            usual_percent < m_high_percent ? usual_percent : std::max(kLeast_percent, 0.1 * m_high_percent);
+        auto* field = qobject_cast<QDoubleSpinBox*>(m_grid->field(low));
+        const QSignalBlocker quiet(field);
+        field->setValue(m_low_percent);
+    }
+    generate();
 }
 
 void DifferenceTable::generate() {

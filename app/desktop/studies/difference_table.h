@@ -47,6 +47,7 @@ signals:
 private:
     void addMaker(const Theme& theme, FieldGrid& grid);
     void addLevels(const Theme& theme, bool readOnly, FieldGrid& grid);
+    void takeBothSides(bool both);
     void generate();
     void typed(const std::vector<double>& percents);
     QString summary() const;

@@ -246,9 +246,15 @@ void NewStudyDialog::choose(int) {
     renew();
     filter();                              // the previously chosen one may now be hidden
     m_title->setFocus(Qt::TabFocusReason); // with the whole text selected, to be typed over
-    // Once the tiles that stay have their places.
+    // Once the tiles that stay have their places. An arrow key moves on to the next tile, which stays in
+    // sight.
     QMetaObject::invokeMethod(
-        this, [this] { reveal(*m_title); }, Qt::QueuedConnection);
+        this,
+        [this] {
+            if (m_title->hasFocus())
+                reveal(*m_title);
+        },
+        Qt::QueuedConnection);
 }
 
 bool NewStudyDialog::isFound(int index) const {

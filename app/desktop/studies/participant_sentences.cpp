@@ -7,7 +7,9 @@
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string>
 
 /// The catalogues are part of a static library, and the linker leaves out its resources unless they are
 /// requested.
@@ -215,6 +217,26 @@ QStringList questions(const ParticipantView& view, const LanguageWords& words) {
     return said;
 }
 
+/// The sentence about the masking noise that earlier versions generated, in each of their languages. It
+/// stands in frozen texts and never changes.
+constexpr std::array kFormerNoise{
+    "During the trials you hear a steady noise.",
+    "Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.",
+    "Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.",
+};
+
+/// Removes a sentence and the space beside it from the part of a text that begins at `from`.
+void removeSentence(std::string& text, std::size_t from, const std::string& sentence) {
+    const std::size_t at = text.find(sentence, from);
+    if (at == std::string::npos)
+        return;
+    text.erase(at, sentence.size());
+    if (at < text.size() && text[at] == ' ')
+        text.erase(at, 1);
+    else if (at > from && text[at - 1] == ' ')
+        text.erase(at - 1, 1);
+}
+
 bool written(const StudyText& text) {
     return std::any_of(text.begin(), text.end(), [](const auto& each) { return !each.second.empty(); });
 }
@@ -243,6 +265,19 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
 
 const StudyText& ownSentences(const StudyDesign& design) {
     return design.ownInstructions ? *design.ownInstructions : design.instructions;
+}
+
+StudyText shownInstructions(const StudyDesign& design) {
+    StudyText shown = design.instructions;
+    if (!design.ownInstructions)
+        return shown; // nothing of it was generated
+    for (auto& [language, words] : shown) {
+        const auto own = design.ownInstructions->find(language);
+        const bool begins = own != design.ownInstructions->end() && words.starts_with(own->second);
+        for (const char* sentence : kFormerNoise)
+            removeSentence(words, begins ? own->second.size() : 0, sentence);
+    }
+    return shown;
 }
 
 void renewInstructions(StudyDesign& design) {

@@ -17,6 +17,10 @@ QStringList participantSentences(const psychophysics::StudyDesign& design, const
 /// from the settings yet.
 const psychophysics::StudyText& ownSentences(const psychophysics::StudyDesign& design);
 
+/// The instructions as participants read them. Earlier versions generated a sentence about the masking noise,
+/// which is now said where it is true (sittingSentences()); a frozen text still contains it.
+psychophysics::StudyText shownInstructions(const psychophysics::StudyDesign& design);
+
 /// Assembles the instructions from the researcher's own sentences and those generated from the settings, so
 /// that they cannot contradict the study. It does so in each language that the researcher wrote in, or in all
 /// three if nothing was written.

@@ -165,7 +165,7 @@ QWidget* RulesPage::instructionsBox(const DesignPage& page) {
         StudyDesign design = draft.design();
         if (!readOnly)
             renewInstructions(design); // as it will be stored with the next change
-        words->setText(study_words::text(design.instructions, language));
+        words->setText(study_words::text(shownInstructions(design), language));
     };
     connect(&page.draft, &StudyDraft::changed, words, show);
     show();

@@ -11,6 +11,7 @@
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/participants_page.h"
 #include "desktop/studies/preview_page.h"
 #include "desktop/studies/questionnaires_page.h"
@@ -96,14 +97,20 @@ void StudyScreen::loaded(core::Result<OpenStudy> study) {
     m_open = std::move(*study);
     if (m_tab < 0)
         m_tab = m_open.editable() ? generalTab : participantsTab;
+    psychophysics::StudyDesign design = m_open.design;
+    if (!readOnly() && design.ownInstructions)
+        renewInstructions(design); // an earlier version may have generated other sentences
+    const bool renewed = design.instructions != m_open.design.instructions;
     {
         const QSignalBlocker quiet(&m_draft);
-        m_draft.load(m_open.design);
+        m_draft.load(std::move(design));
     }
     m_good = m_saved = true;
     m_wrong = readOnly() ? std::vector<DesignFault>() : nameFaults(m_draft.design());
     build();
     m_panel->showContent();
+    if (renewed)
+        changed(); // it is stored like any other change
 }
 
 bool StudyScreen::readOnly() const {

@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <QStringList>
 
 namespace chiron::desktop {
 
@@ -17,24 +16,6 @@ struct StudyTitles {
 };
 
 constexpr qsizetype kLongestCopied = 200; // the repository accepts 500 bytes, and a letter may take two
-
-QStringList wordsOfName(const QString& name) {
-    return name.split(QLatin1Char('_'), Qt::SkipEmptyParts);
-}
-
-/// Finds a word among the words of a title, from one of them on, and returns the place after it; -1 if it is
-/// not there. It may join several of them: "20mm" stands in "20 mm".
-qsizetype endOfWord(const QStringList& words, qsizetype from, const QString& word) {
-    for (qsizetype first = from; first < words.size(); ++first) {
-        QString joined;
-        for (qsizetype last = first; last < words.size() && joined.size() < word.size(); ++last) {
-            joined += words[last];
-            if (joined == word)
-                return last + 1;
-        }
-    }
-    return -1;
-}
 
 } // namespace
 
@@ -73,17 +54,8 @@ bool isShortName(const QString& name) {
 
 bool isMadeOf(const QString& shortName, const QString& title) {
     static const QRegularExpression kNumberOfCopy(QStringLiteral("_\\d{1,2}$"));
-    const QStringList words = wordsOfName(shortNameOf(title));
-    const auto isMade = [&words](const QString& name) {
-        qsizetype from = 0;
-        for (const QString& word : wordsOfName(name)) {
-            from = endOfWord(words, from, word);
-            if (from < 0)
-                return false;
-        }
-        return true;
-    };
-    return isMade(shortName) || isMade(QString(shortName).remove(kNumberOfCopy));
+    const QString made = shortNameOf(title);
+    return !made.isEmpty() && (shortName == made || QString(shortName).remove(kNumberOfCopy) == made);
 }
 
 QString copyTitle(const QString& original, const std::set<QString>& taken) {

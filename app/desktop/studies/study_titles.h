@@ -20,8 +20,9 @@ QString shortNameOf(const QString& title);
 /// `wanted`, with the first free number appended if it is taken.
 QString freeShortName(const QString& wanted, const std::set<QString>& taken);
 bool isShortName(const QString& name); ///< lower-case letters, digits and _, a letter first
-/// Whether the words of a short name stand in the title, in this order: "tube_60" and "tube_60_2" are made of
-/// "Tube of 60 N/m". Such a name can follow the title; any other was chosen for itself.
+/// Whether a short name is the title's, perhaps with the number of a copy: "tube_of_60_n_m" and
+/// "tube_of_60_n_m_2" are made of "Tube of 60 N/m". Such a name can follow the title; any other was chosen
+/// for itself.
 bool isMadeOf(const QString& shortName, const QString& title);
 
 /// The initial title of a copy: "Tubes (copy)", or "Tubes (copy 2)" for a copy of a copy. It is never one

@@ -5,6 +5,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/help_dialogs.h"
 #include "desktop/station/device_delay.h"
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
@@ -24,6 +25,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <algorithm>
@@ -174,7 +176,7 @@ void TrialsScreen::sayWholeInstructions() {
     m_whole = true;
     m_break->say(
         tr("Before you begin"),
-        paragraphs({study_words::text(m_live->design().instructions, context().language()),
+        paragraphs({study_words::text(shownInstructions(m_live->design()), context().language()),
                     sittingSentences(m_live->design(), m_live->condition(), noisePlays(), context().locale()),
                     partText()}),
         tr("Continue (Enter)"));
@@ -250,7 +252,7 @@ void TrialsScreen::poll() {
     showSilence();
     if (atDesk())
         m_experimenter->show(view, m_live->numbers(), m_live->condition());
-    if (m_live->finished())
+    if (m_live->finished() && !m_asking) // the question stands on this screen, which finished() may leave
         finished();
 }
 
@@ -377,9 +379,12 @@ void TrialsScreen::askToStop() {
     stop->setObjectName(QStringLiteral("trials.ask.stop"));
     box.setDefaultButton(keep);
     box.setEscapeButton(keep);
+    const QPointer<TrialsScreen> here(this);
     box.exec();
+    if (!here)
+        return; // left meanwhile
     m_asking = false;
-    if (running() && box.clickedButton() == stop)
+    if (running() && !m_live->finished() && box.clickedButton() == stop)
         m_live->stop();
 }
 

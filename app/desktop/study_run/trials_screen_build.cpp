@@ -272,6 +272,8 @@ void TrialsScreen::buildKeys() {
     m_keys = new KeyFilter(*m_page);
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
+        if (m_card && isPage() && m_card->readOn())
+            return; // Space reads to the end first
         if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isPage())
             button->click(); // Space presses the focused button, like Enter
         else if (!goOnByKey())
@@ -301,12 +303,12 @@ void TrialsScreen::toolKey(int key, bool down) {
             key == Qt::Key_T ? freePointer() : toggleExperimenter();
         return;
     }
-    if (m_card) { // the first movement starts, unless there is more to read
-        if (down && m_card->scroll(key))
+    if (m_card) { // the first movement starts, once there is no more to read
+        if (!down || m_card->scroll(key) || !m_card->isRead())
             return;
         const std::vector<int> movements =
             studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
-        if (down && std::find(movements.begin(), movements.end(), key) != movements.end())
+        if (std::find(movements.begin(), movements.end(), key) != movements.end())
             go();
         return;
     }

@@ -33,10 +33,9 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setVisible(view.ofAtMost > 0);
     const QString pilot =
         m_live->design().pilotOf.empty() ? QString() : tr("Pilot run") + QStringLiteral(" · ");
-    m_note->setText(pilot + (view.state == State::trying
-                                 ? tr("Participant %1 · free minute").arg(m_participant)
-                             : view.practice ? tr("Participant %1 · practice").arg(m_participant)
-                                             : tr("Participant %1").arg(m_participant)));
+    m_note->setText(pilot + (view.tryLeft_s > 0.0 ? tr("Participant %1 · free minute").arg(m_participant)
+                             : view.practice      ? tr("Participant %1 · practice").arg(m_participant)
+                                                  : tr("Participant %1").arg(m_participant)));
     const bool changed = view.state != m_state;
     m_state = view.state;
     const bool scene = view.state == State::trying || view.state == State::coming ||
@@ -103,23 +102,23 @@ QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
 
 /// Updates the strip for the free minute and the feedback of practice.
 void TrialsScreen::showStrip(const session::LiveStudyView& view) {
+    const bool free = view.tryLeft_s > 0.0; // also while its objects come
     const bool trying = view.state == State::trying;
     const int left_s = static_cast<int>(std::ceil(view.tryLeft_s));
-    const bool ends = trying && left_s <= kFreeMinuteEnds_s;
+    const bool ends = free && left_s <= kFreeMinuteEnds_s;
     m_strip->setText(
         ends
             ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
-        : trying
-            ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
+        : free ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
         : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
         : view.practice    ? tr("Practice: nothing counts yet.")
                            : trialText(view));
-    m_repeated->setText(trying || view.practice ? QString() : repeatedText(view));
+    m_repeated->setText(free || view.practice ? QString() : repeatedText(view));
     m_takeBack->setVisible(view.mayTakeBack);
     m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
     m_enough->setVisible(trying || view.mayTakeBack);
     const double most_s = m_live->design().trial.exploreLimit_s;
-    m_time->setVisible(!trying && view.timeLeft_s > 0.0);
+    m_time->setVisible(!free && view.timeLeft_s > 0.0);
     if (most_s > 0.0)
         m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
 }

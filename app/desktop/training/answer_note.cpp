@@ -21,6 +21,8 @@ AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& loc
     if (const auto face = exerciseFace(level.exercise)) {
         m_face = *face;
         m_found = m_face->foundAnswer();
+        m_yielded = m_face->yieldedWords(level, false);
+        m_yieldedAndEnded = m_face->yieldedWords(level, true);
     }
 }
 
@@ -39,9 +41,7 @@ QString AnswerNote::foundWords() const {
 QString AnswerNote::heldWords(const session::LiveSample& at) const {
     const bool counts = at.phase == core::TrialPhase::running && !at.paused;
     if (at.yielded && counts)
-        return m_feedback
-                   ? AnswerTexts::tr("Too hard: the tissue gave way. Draw back until you are out of it")
-                   : AnswerTexts::tr("The tissue gave way");
+        return m_yielded;
     if (m_feedback && (at.events & bits::kDamaged) != 0)
         return AnswerTexts::tr("Too much: the tissue was damaged");
     if (m_feedback && (at.events & bits::kSlipped) != 0)
@@ -79,7 +79,9 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
         else if ((sample.events & bits::kTimedOut) != 0)
             said = after(AnswerTexts::tr("Time is up"), foundWords());
         else if ((sample.events & bits::kFailed) != 0)
-            said = AnswerTexts::tr("This trial can no longer be completed");
+            said = sample.yielded && !sample.paused
+                       ? m_yieldedAndEnded
+                       : AnswerTexts::tr("This trial can no longer be completed");
         else if ((sample.events & bits::kCompleted) != 0)
             said = after(AnswerTexts::tr("Trial completed"), foundWords());
         else

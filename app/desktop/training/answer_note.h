@@ -64,6 +64,7 @@ private:
 
     const ExerciseFace* m_face = nullptr; ///< of the level's exercise; null if that is not known
     bool m_feedback;
+    QString m_yielded, m_yieldedAndEnded; ///< ExerciseFace::yieldedWords()
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
     int m_trial = 0;                      ///< the running trial, or the last one

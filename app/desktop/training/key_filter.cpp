@@ -17,10 +17,6 @@ bool isEnter(int key) {
 bool isTab(int key) {
     return key == Qt::Key_Tab || key == Qt::Key_Backtab;
 }
-bool readsPanel(const QKeyEvent& event) {
-    return event.modifiers().testFlag(Qt::ControlModifier) && event.type() != QEvent::KeyRelease &&
-           (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp);
-}
 
 } // namespace
 
@@ -49,6 +45,12 @@ bool KeyFilter::elsewhere() const {
         return true;
     const QWidget* focus = QApplication::focusWidget();
     return focus && (focus->window() != m_screen.window() || focus->testAttribute(Qt::WA_InputMethodEnabled));
+}
+
+bool KeyFilter::readsPanel(const QKeyEvent& event) const {
+    return m_panelKeys && event.modifiers().testFlag(Qt::ControlModifier) &&
+           event.type() != QEvent::KeyRelease &&
+           (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp);
 }
 
 bool KeyFilter::takes(const QKeyEvent& event, QObject* watched) const {

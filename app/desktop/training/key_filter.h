@@ -33,6 +33,8 @@ public:
     void setToolKeys(std::span<const int> keys) { m_toolKeys.assign(keys.begin(), keys.end()); }
     /// F: the exercise has the depth-of-field switch.
     void setDepthOfFieldKey(bool used) { m_depthOfFieldKey = used; }
+    /// Ctrl+Page Down and Ctrl+Page Up: the screen has a panel. Otherwise they keep their usual meaning.
+    void setPanelKeys(bool used) { m_panelKeys = used; }
 
 signals:
     void stopAsked();
@@ -53,6 +55,7 @@ private:
     bool elsewhere() const; ///< a dialog is open or a text is being typed
     bool isToolKey(int key) const;
     bool takes(const QKeyEvent& event, QObject* watched) const;
+    bool readsPanel(const QKeyEvent& event) const;
     void act(const QKeyEvent& event);
 
     QWidget& m_screen;
@@ -60,6 +63,7 @@ private:
     bool m_active = false;
     bool m_held = false;
     bool m_depthOfFieldKey = false;
+    bool m_panelKeys = false;
     std::vector<int> m_toolKeys;
 };
 

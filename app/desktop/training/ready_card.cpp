@@ -152,9 +152,7 @@ bool ReadyCard::eventFilter(QObject*, QEvent* event) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
     if (key.key() == Qt::Key_Space) { // Space pauses in the scene, and releasing it would press a button
         if (event->type() == QEvent::KeyPress)
-            m_page->verticalScrollBar()->triggerAction(key.modifiers().testFlag(Qt::ShiftModifier)
-                                                           ? QAbstractSlider::SliderPageStepSub
-                                                           : QAbstractSlider::SliderPageStepAdd);
+            readOn(key.modifiers().testFlag(Qt::ShiftModifier));
         return true;
     }
     return event->type() == QEvent::KeyPress && pressed(key);
@@ -173,7 +171,7 @@ bool ReadyCard::pressed(const QKeyEvent& key) {
         return true; // held down since before the card appeared
     if (isEnter(key.key()) && hasButton)
         button->click(); // the focused button, as everywhere
-    else if (!m_cameByItself)
+    else if (!m_cameByItself && (isEnter(key.key()) || isRead()))
         emit goAsked();
     return true;
 }
@@ -181,18 +179,37 @@ bool ReadyCard::pressed(const QKeyEvent& key) {
 // Scrolls a card that is longer than the window. Only cards that were asked for use these keys; on the others
 // they are a first movement.
 bool ReadyCard::scroll(int key) {
+    if (!wasAskedFor())
+        return false;
+    switch (key) {
+    case Qt::Key_Up:
+        return scrollBy(QAbstractSlider::SliderSingleStepSub);
+    case Qt::Key_Down:
+        return scrollBy(QAbstractSlider::SliderSingleStepAdd);
+    case Qt::Key_PageUp:
+        return readOn(true);
+    case Qt::Key_PageDown:
+        return readOn();
+    default:
+        return false;
+    }
+}
+
+bool ReadyCard::readOn(bool back) {
+    return scrollBy(back ? QAbstractSlider::SliderPageStepSub : QAbstractSlider::SliderPageStepAdd);
+}
+
+bool ReadyCard::scrollBy(QAbstractSlider::SliderAction step) {
     QScrollBar& bar = *m_page->verticalScrollBar();
-    if (!wasAskedFor() || bar.maximum() <= 0)
-        return false;
-    if (key == Qt::Key_Up || key == Qt::Key_Down)
-        bar.triggerAction(key == Qt::Key_Up ? QAbstractSlider::SliderSingleStepSub
-                                            : QAbstractSlider::SliderSingleStepAdd);
-    else if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
-        bar.triggerAction(key == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub
-                                                : QAbstractSlider::SliderPageStepAdd);
-    else
-        return false;
-    return true;
+    const int before = bar.value();
+    bar.triggerAction(step);
+    m_endSeen = m_endSeen || bar.value() >= bar.maximum();
+    return bar.value() != before;
+}
+
+bool ReadyCard::isRead() const {
+    const QScrollBar& bar = *m_page->verticalScrollBar();
+    return !wasAskedFor() || m_endSeen || bar.value() >= bar.maximum();
 }
 
 void ReadyCard::takeFocus() {

@@ -4,6 +4,7 @@
 #include "desktop/theme/theme.h"
 #include "desktop/training/control_guide.h"
 
+#include <QAbstractSlider>
 #include <QStringList>
 #include <QWidget>
 
@@ -34,7 +35,8 @@ struct ReadyFacts {
 /// The card before the first trial of a level: task, movements, force limit, scoring and the meaning of the
 /// marks. People who know the level get a brief one, with "More" for the rest. Its text scrolls, its buttons
 /// do not. "Go", Enter or the first movement key of the tool starts the session, so Space reads on where the
-/// text is longer than the window; on the cards that were asked for the arrow and page keys do so, too.
+/// text is longer than the window; on the cards that were asked for the arrow and page keys do so, too, and
+/// no movement key starts before the end of the text was reached.
 ///
 /// A key with a meaning in the scene must not press a button by accident. Space pauses in the scene and
 /// therefore presses no button. A key held down since before the card appeared does nothing. A card that
@@ -56,8 +58,10 @@ public:
     Kind kind() const noexcept { return m_kind; }
     /// The keys (Qt::Key) whose press counts as a first movement.
     void setToolKeys(std::vector<int> keys) { m_toolKeys = std::move(keys); }
-    bool scroll(int key); ///< false: no scrolling key of this card, or nothing to scroll
-    void takeFocus();     ///< moves the focus to "Go", or to the card itself if the card appeared by itself
+    bool scroll(int key); ///< false: no scrolling key of this card, or nothing more in its direction
+    bool readOn(bool back = false); ///< by a page; false: nothing more in this direction
+    bool isRead() const;            ///< whether a first movement may start the session
+    void takeFocus(); ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
     void goAsked();
@@ -75,6 +79,7 @@ private:
     /// Whether the person asked for this card, so that no key is a first movement before it is read.
     bool wasAskedFor() const noexcept { return m_kind == Kind::whole || m_kind == Kind::paused; }
     bool pressed(const QKeyEvent& key);
+    bool scrollBy(QAbstractSlider::SliderAction step); ///< false: the text is at its end already
     QWidget* buildText(const ReadyFacts& facts);
     QWidget* buildControls(const std::vector<ControlHint>& controls);
     QWidget* buildReadOn();
@@ -83,6 +88,7 @@ private:
     const Theme& m_theme;
     Kind m_kind;
     bool m_cameByItself;
+    bool m_endSeen = false; ///< the text was scrolled to its end
     std::vector<int> m_toolKeys;
     ScrollPage* m_page = nullptr;
     QPushButton* m_go = nullptr;

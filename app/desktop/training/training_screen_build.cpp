@@ -256,6 +256,7 @@ void TrainingScreen::buildKeys() {
     connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
     connect(m_keys, &KeyFilter::startAgainAsked, this, &TrainingScreen::askToStartAgain);
     connect(m_keys, &KeyFilter::detailsAsked, m_details, &QCheckBox::toggle);
+    m_keys->setPanelKeys(true);
     connect(m_keys, &KeyFilter::panelAsked, m_side, &SidePanel::readOn);
     m_keys->setDepthOfFieldKey(m_depthOfField != nullptr);
     connect(m_keys, &KeyFilter::depthOfFieldAsked, this, [this] {

@@ -34,7 +34,8 @@ QString deviceTitle(const TrainingPlan& plan) {
     case devices::MovedBy::scriptedOperator: {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
-        return Words::tr("Demonstration (%1). %2: force shown, not felt")
+        // No class: the driver renders force, but nobody holds it.
+        return Words::tr("Demonstration (%1). %2")
             .arg(who, StationWords::device(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
     }
     case devices::MovedBy::recording:

@@ -11,7 +11,7 @@ namespace chiron::desktop {
 
 /// Texts that set-up and training share.
 QString operatorTitle(const std::string& name); ///< "an expert"; an unknown name is returned unchanged
-QString deviceTitle(const TrainingPlan& plan);  ///< including whether force is felt
+QString deviceTitle(const TrainingPlan& plan);  ///< with whether force is felt, if a person's hand moves it
 QString deviceIcon(devices::MovedBy movedBy);   ///< Breeze name
 /// How to move the tool, mark, pause and stop, with what the person holds.
 QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1,

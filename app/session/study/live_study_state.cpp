@@ -196,6 +196,10 @@ double LiveStudy::State::triedSoFar_s() const {
     return tried_s + (tryPresented && last.phase == TrialPhase::running ? clock.exploration_s() : 0.0);
 }
 
+double LiveStudy::State::tryLeft_s() const {
+    return trying() ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
+}
+
 /// The candidate with the smallest difference: somebody who tries the controls should learn nothing about the
 /// later questions.
 int LiveStudy::State::mostAlike() const {
@@ -208,7 +212,7 @@ int LiveStudy::State::mostAlike() const {
 /// Runs the free minute: objects stay in place until it is over, without a trial. No limit of the design
 /// applies to them (ComparisonParameters::freeFirst).
 void LiveStudy::State::goOnTrying() {
-    const bool over = stopping || triedSoFar_s() >= tryFor_s;
+    const bool over = stopping || tryLeft_s() <= 0.0;
     if (tryPresented) {
         if (over && !posted && last.phase == TrialPhase::running)
             posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
@@ -259,9 +263,9 @@ void LiveStudy::State::conclude() {
 }
 
 void LiveStudy::State::describe() {
-    view.practice = !trying() && (presented || pending ? shown.practice : progress.practising());
+    view.tryLeft_s = tryLeft_s();
+    view.practice = view.tryLeft_s <= 0.0 && (presented || pending ? shown.practice : progress.practising());
     view.mayTakeBack = pending.has_value() && !done;
-    view.tryLeft_s = trying() ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
     view.trial = progress.scored();
     view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
     view.place = static_cast<int>(last.place) - 1;
@@ -299,11 +303,11 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
         return View::arming; // resuming: force is armed first
     if (view.right || pending)
         return View::feedback;
-    if (trying() && training->sessionId() != 0)
+    if (tryLeft_s() > 0.0 && training->sessionId() != 0)
         return last.phase == TrialPhase::running ? View::trying
                : last.phase == TrialPhase::ready ? View::arming
                                                  : View::coming;
-    if (waitsForReady)
+    if (waitsForReady || (trying() && tryLeft_s() <= 0.0 && !readySaid && !stopping))
         return View::tried;
     if (!presented && waitsToCount)
         return View::practised;

@@ -90,6 +90,7 @@ struct LiveStudy::State {
     bool showsFeedback() const;
     bool trying() const { return tryFor_s > 0.0; }
     double triedSoFar_s() const;
+    double tryLeft_s() const; ///< 0 once the free minute is over, also while its objects are being removed
     void goOnTrying();
     int mostAlike() const;
     StudyAnswer answerOf(const FidelitySample& sample);

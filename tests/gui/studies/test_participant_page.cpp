@@ -22,6 +22,8 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <cmath>
+#include <map>
+#include <string>
 
 using chiron::tests::kPatience_ms;
 
@@ -46,6 +48,7 @@ private slots:
     void whatIsMissingIsNamed();
     void aTooLightTouchIsTold();
     void theCardAndTheFreeMinuteComeFirst();
+    void nothingCountsBeforeTheTrials();
     void aLongCardIsReadBeforeItBegins();
     void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
@@ -55,6 +58,7 @@ private slots:
     void enterAndSpaceGoOn();
     void enterAfterANumberCallsNobody();
     void whatTheStationDoesIsSaid();
+    void anEarlierVersionsNoiseIsNotShown();
     void aSessionThatEndsByItselfIsTold();
     void aDoublePressAnswersNothing();
     void stopIsReachedWithACapturedPointer();
@@ -62,6 +66,7 @@ private slots:
     void whoLeavesMidTrialSeesTheNeutralEnd();
     void aPilotIsNamed();
     void aPilotIsAskedBeforeItStops();
+    void aPilotThatEndsWhileItIsAskedStays();
     void whoWasAskedForSitsDownAfterTheLogin();
     void anOpenStudyAsksForNoPassword();
     void aSecondScreenIsTheParticipants();
@@ -240,7 +245,28 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QCOMPARE(live.view().place, -1);
 }
 
-/// A key that moves the tool reads on while there is more to read, and begins nothing.
+/// From the press of "Go" to the end of the free minute, also while its objects come and go.
+void TestParticipantPage::nothingCountsBeforeTheTrials() {
+    prepare("free_strip");
+    desktop::TrialsScreen* screen = sit(true, 2.0);
+    QVERIFY(screen && tests::pastTheCard(screen));
+    QStringList told;
+    const auto tried = [&] {
+        if (const QString strip = said(screen, "trials.strip"); !told.contains(strip))
+            told << strip;
+        return screen->live()->view().state == State::tried;
+    };
+    QVERIFY(QTest::qWaitFor(tried, kPatience_ms));
+    const QString all = told.join(QLatin1Char('\n'));
+    QVERIFY2(all.contains(QStringLiteral("The free minute ends in")) &&
+                 !all.contains(QStringLiteral("every answer counts")) &&
+                 !all.contains(QStringLiteral("Trial 1")),
+             qPrintable(all));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// A key that moves the tool reads on while there is more to read, and begins nothing before all was read.
+/// Nor does Space.
 void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
     prepare("long_card");
     m_site->window->resize(1280, 720);
@@ -254,10 +280,17 @@ void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
     const QScrollBar& bar =
         *card->findChild<QScrollArea*>(QStringLiteral("training.ready.page"))->verticalScrollBar();
     QTRY_VERIFY_WITH_TIMEOUT(bar.maximum() > 0, kPatience_ms);
+    for (const int early : {int(Qt::Key_Right), int(Qt::Key_Up)})
+        press(early);
+    QVERIFY(page(screen)->findChild<desktop::ReadyCard*>() == card && card->isVisible());
+    press(Qt::Key_Space);
+    QVERIFY(bar.value() > 0 && card->isVisible());
     for (int presses = 0; presses < 50 && bar.value() < bar.maximum(); ++presses)
         press(Qt::Key_PageDown);
     QCOMPARE(bar.value(), bar.maximum());
     QCOMPARE(screen->live()->view().state, State::paused);
+    press(Qt::Key_Down); // no more to read: it moves the tool
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().state != State::paused, kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, screen));
     m_site->settings.setScale(1.0);
     m_site->context.applyAppearance();
@@ -563,6 +596,37 @@ void TestParticipantPage::whatTheStationDoesIsSaid() {
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
+/// A frozen text says what it said; what is read of it is what applies now.
+void TestParticipantPage::anEarlierVersionsNoiseIsNotShown() {
+    const std::map<std::string, std::string> noise{
+        {"en", "During the trials you hear a steady noise."},
+        {"de", "Während der Durchgänge hören Sie ein gleichmäßiges Rauschen."},
+        {"el", "Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο."}};
+    psychophysics::StudyDesign design = tests::smallStudy("former");
+    design.ownInstructions = psychophysics::StudyText{{"en", noise.at("en") + " So I say."}};
+    for (const auto& [language, sentence] : noise)
+        design.instructions[language] = "One. " + sentence + " Two.";
+    design.instructions["en"] = design.ownInstructions->at("en") + "\n\nOne. " + noise.at("en");
+    const psychophysics::StudyText shown = desktop::shownInstructions(design);
+    QCOMPARE(shown.at("en"), design.ownInstructions->at("en") + "\n\nOne."); // the researcher's words stay
+    QCOMPARE(shown.at("de"), std::string("One. Two."));
+    QCOMPARE(shown.at("el"), std::string("One. Two."));
+    design.ownInstructions.reset(); // all of it is the researcher's
+    QVERIFY(desktop::shownInstructions(design) == design.instructions);
+
+    prepare("former", [&](psychophysics::StudyDesign& made) {
+        made.ownInstructions = psychophysics::StudyText{{"en", "Hold it lightly."}};
+        made.instructions = {{"en", "Hold it lightly.\n\nOne. " + noise.at("en") + " Two."}};
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen);
+    QVERIFY2(said(screen, "break.text").startsWith(QStringLiteral("Hold it lightly.\n\nOne. Two.")),
+             qPrintable(said(screen, "break.text")));
+    QVERIFY(QString::fromStdString(screen->live()->design().instructions.at("en"))
+                .contains(QStringLiteral("steady noise"))); // as it was frozen
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
 /// The experimenter reads why the run is not done; the participant's page is that of every end.
 void TestParticipantPage::aSessionThatEndsByItselfIsTold() {
     prepare("by_itself");
@@ -735,6 +799,32 @@ void TestParticipantPage::aPilotIsAskedBeforeItStops() {
     QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
                               kPatience_ms);
     QVERIFY2(told.join(QLatin1Char('|')).contains(what), qPrintable(told.join(QLatin1Char('|'))));
+}
+
+/// The run is left only once the question is answered, because the question stands on its screen.
+void TestParticipantPage::aPilotThatEndsWhileItIsAskedStays() {
+    prepare("ended_pilot", [](psychophysics::StudyDesign& design) { design.pilotOf = "draft"; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    bool stayed = false;
+    QTimer look;
+    connect(&look, &QTimer::timeout, this, [&] {
+        auto* keep = m_site->find<QPushButton>(QStringLiteral("trials.ask.keep"));
+        if (!keep)
+            return;
+        look.stop();
+        screen->live()->stop(); // as a stop that was asked for before, and ends only now
+        (void)QTest::qWaitFor([&] { return screen->live()->finished(); }, kPatience_ms);
+        QTest::qWait(200);
+        stayed = screen->live()->finished() && m_site->screen<desktop::TrialsScreen>() == screen;
+        keep->click();
+    });
+    look.start(100);
+    tests::sittingButton(screen, "trials.stop")->click();
+    QVERIFY(stayed);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
+                              kPatience_ms);
 }
 
 /// `chiron --study KEY --person CODE`.

@@ -68,11 +68,13 @@ private slots:
     void aCopyOfAFrozenStudy();
     void titlesOfCopies();
     void aTemplateIsFoundByWords();
+    void arrowKeysKeepTheTemplateInSight();
     void everyTaskHasABlankStart();
     void namesThatAreTaken();
     void shortNamesFollowTheirTitles();
     void whatIsRemovedComesBack();
     void aTableSaysHowItIsSpaced();
+    void aTableOfOneSideHasASmallest();
     void everyNumberSaysItsRange();
     void theSummaryIsAlwaysTrue();
     void instructionsFollowTheSettings();
@@ -94,6 +96,9 @@ private:
     void openDraft(const psychophysics::StudyDesign& design, int tab = StudyScreen::generalTab) {
         m_opened = design;
         m_study = tests::addDraft(*m_site, m_site->context.actor(), design);
+        reopen(tab);
+    }
+    void reopen(int tab) {
         m_site->go(QStringLiteral("study"),
                    {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
@@ -435,6 +440,26 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
 }
 
 /// Besides the complete templates; and whatever is clicked, the next thing to type is the title.
+void TestStudyDesign::arrowKeysKeepTheTemplateInSight() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
+    click("studies.new");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("new_study.template.new_rank3"), kPatience_ms);
+    auto* tile = m_site->find<QAbstractButton>(QStringLiteral("new_study.template.apex"));
+    auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
+    tile->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!title->visibleRegion().isEmpty(), kPatience_ms); // a click leads to the title
+    tile->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(tile, Qt::Key_Down);
+    auto* next =
+        qobject_cast<QAbstractButton*>(m_site->find<QDialog>(QStringLiteral("new_study"))->focusWidget());
+    QVERIFY(next && next != tile && next->isChecked());
+    QTest::qWait(100); // what choosing it has queued
+    QVERIFY(!next->visibleRegion().isEmpty());
+    click("new_study.cancel");
+}
+
 void TestStudyDesign::everyTaskHasABlankStart() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
@@ -467,7 +492,9 @@ void TestStudyDesign::everyTaskHasABlankStart() {
 
 /// Until somebody types another, and never one that another condition has.
 void TestStudyDesign::shortNamesFollowTheirTitles() {
-    openDraft(tests::smallStudy("short_names"), StudyScreen::conditionsTab);
+    psychophysics::StudyDesign study = tests::smallStudy("short_names");
+    study.conditions.front().title["en"] = "Stiffness";
+    openDraft(study, StudyScreen::conditionsTab);
     const auto id = [this](std::size_t at = 0) { return design().conditions.at(at).id; };
     QCOMPARE(id(), std::string("stiffness"));
     type("condition.title", QStringLiteral("Soft tube"));
@@ -493,6 +520,37 @@ void TestStudyDesign::shortNamesFollowTheirTitles() {
     type("condition.title", QStringLiteral("Tube of the right hand"));
     QCOMPARE(id(), std::string("tube"));
     QVERIFY(saved());
+    m_site->go(QStringLiteral("studies"));
+    reopen(StudyScreen::conditionsTab); // nobody remembers that it was typed
+    type("condition.title", QStringLiteral("Tube of the other hand"));
+    QCOMPARE(id(), std::string("tube"));
+    QVERIFY(saved());
+    psychophysics::StudyDesign apex = tests::apexStudy("short_apex", 10);
+    apex.conditions.front().id = "sphere_20mm"; // a chosen name that tells the reference
+    apex.conditions.front().stimulus.reference = 0.02;
+    openDraft(apex, StudyScreen::conditionsTab);
+    type("condition.reference", QStringLiteral("25"));
+    QCOMPARE(id(), std::string("sphere_25mm"));
+    QVERIFY(saved());
+}
+
+/// Without the lesser objects the table has a smallest difference again, which is shown and fits at once.
+void TestStudyDesign::aTableOfOneSideHasASmallest() {
+    psychophysics::StudyDesign study = tests::smallStudy("one_side");
+    psychophysics::Condition& condition = study.conditions.front();
+    condition.task = psychophysics::Task::twoAfc;
+    condition.scale = psychophysics::ProcedureScale::difference;
+    condition.stimulus.differences = desktop::differencesAround(0.6, 40);
+    condition.procedures = {psychophysics::ConstantSpec{{condition.stimulus.differences.back()}, 10, true}};
+    openDraft(study, StudyScreen::conditionsTab);
+    QVERIFY(shown<QWidget>("differences.both") && !shown<QWidget>("differences.low"));
+    click("differences.both");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("differences.low"), kPatience_ms);
+    QVERIFY2(faultAt("differences.low").isEmpty(), qPrintable(faultAt("differences.low")));
+    const auto& now = design().conditions.front().stimulus.differences;
+    QVERIFY(now.front() > 0.0 && now.front() < now.back());
+    QVERIFY(std::abs(now.back() - std::log10(1.6)) < 1e-9); // the largest is kept
+    step("trial.explore_limit");                            // nothing holds the page
 }
 
 /// At once, without a question; and a later change is not taken back in its place.
@@ -701,6 +759,18 @@ void TestStudyDesign::instructionsFollowTheSettings() {
             !read().contains(QStringLiteral("Hold the grasper")));
     QCOMPARE(text("design.instructions.shown"), read());
     QVERIFY(saved());
+    // A draft that holds a sentence of an earlier version is stored anew once it is opened.
+    psychophysics::StudyDesign noisy = study;
+    noisy.id = "noisy";
+    noisy.instructions["en"] += " During the trials you hear a steady noise.";
+    openDraft(noisy, StudyScreen::trialsTab);
+    QCOMPARE(design().instructions, study.instructions);
+    QVERIFY(saved());
+    {
+        auto connection = m_site->database().openReader();
+        const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
+        QVERIFY(stored && stored->designJson.find("steady noise") == std::string::npos);
+    }
     // A study that was written before keeps every word, and says what to do.
     psychophysics::StudyDesign older = tests::smallStudy("older");
     older.ownInstructions.reset();

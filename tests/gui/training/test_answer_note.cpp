@@ -5,6 +5,7 @@
 #include "desktop/scene3d/scene_note_painter.h"
 #include "desktop/training/answer_note.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "session/exercise_kind.h"
 #include "support/painted_shapes.h"
 
@@ -283,9 +284,9 @@ private slots:
     }
 
     /// In every exercise, at once: with what to do about it where somebody learns, and neutrally elsewhere.
-    /// What does not count as an error is not told; that a trial is over comes before it.
+    /// What does not count as an error is not told; that the trial is over is said with it.
     void tissueThatGaveWayIsTold() {
-        bool learnt = false, assessed = false;
+        bool learnt = false, assessed = false, jaws = false;
         for (const catalogue::Exercise& exercise : m_catalogue->exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels) {
                 session::LiveSample sample = sampleOf(bits::kDamaged);
@@ -295,17 +296,30 @@ private slots:
                 QVERIFY2(words.contains(QStringLiteral("the tissue gave way"), Qt::CaseInsensitive),
                          level.id.c_str());
                 QCOMPARE(words.contains(QStringLiteral("Draw back")), level.feedback);
+                // Jaws may have squeezed it, and only where they can.
+                const auto* palpation = level.parameters.find<simulation::PalpationParameters>();
+                QCOMPARE(words.contains(QStringLiteral("open the jaws")),
+                         level.feedback && palpation && palpation->pinch);
+                jaws = jaws || words.contains(QStringLiteral("open the jaws"));
                 (level.feedback ? learnt : assessed) = true;
                 sample.events |= bits::kFailed;
-                QVERIFY(said(level, 0, sample).contains(QStringLiteral("no longer")));
+                sample.phase = core::TrialPhase::between; // the trial is over at the same tick
+                const QString ended = said(level, 0, sample);
+                QVERIFY2(ended.contains(QStringLiteral("no longer")), qPrintable(ended));
+                const bool tube = exercise.id == "elastic_tube";
+                QVERIFY2(
+                    ended.contains(tube ? QStringLiteral("The tube tore") : QStringLiteral("gave way")) &&
+                        ended.contains(QStringLiteral("more gently")) == (tube && level.feedback),
+                    qPrintable(ended));
                 sample.events = 0;
+                sample.phase = core::TrialPhase::running;
                 sample.paused = true;
                 QVERIFY(said(level, 0, sample).isEmpty());
                 sample.paused = false;
                 sample.phase = core::TrialPhase::ready;
                 QVERIFY(said(level, 0, sample).isEmpty());
             }
-        QVERIFY(learnt && assessed);
+        QVERIFY(learnt && assessed && jaws);
     }
 
     void anAssessmentTellsThatItWasTaken() {

@@ -51,6 +51,7 @@ private slots:
     void everyTaskOfAStudy_data() { eachLanguage(); }
     void everyTaskOfAStudy();
     void thePairFitsTheClass();
+    void whoWatchesReadsNoClass();
 
 private:
     static void eachLanguage() {
@@ -150,6 +151,26 @@ void TestFeltWords::thePairFitsTheClass() {
     const QString mouse = QStringLiteral("Mouse");
     QCOMPARE(desktop::felt_words::device(mouse, true), QStringLiteral("Mouse: force felt"));
     QCOMPARE(desktop::felt_words::device(mouse, false), QStringLiteral("Mouse: force shown, not felt"));
+}
+
+/// The driver of a demonstration renders force, which nobody in front of the screen holds: its name says
+/// neither. A person's device and a replayed file have their class.
+void TestFeltWords::whoWatchesReadsNoClass() {
+    speak(QStringLiteral("en"));
+    const auto title = [](devices::MovedBy mover) {
+        desktop::TrainingPlan plan;
+        plan.exercise = QStringLiteral("palpation");
+        plan.driver = &devices::usualDriver(mover);
+        plan.operatorName = QStringLiteral("novice");
+        plan.traceFile = QStringLiteral("/a/folder/hand.csv");
+        return desktop::deviceTitle(plan);
+    };
+    const QString watched = title(devices::MovedBy::scriptedOperator);
+    QVERIFY2(watched.startsWith(QStringLiteral("Demonstration (Novice). ")) &&
+                 !watched.contains(QStringLiteral("felt")),
+             qPrintable(watched));
+    for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::recording})
+        QVERIFY2(title(mover).endsWith(QStringLiteral("force shown, not felt")), qPrintable(title(mover)));
 }
 
 QTEST_MAIN(TestFeltWords)

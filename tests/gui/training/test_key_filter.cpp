@@ -3,6 +3,7 @@
 #include "support/patience.h"
 
 #include <QDialog>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -157,11 +158,17 @@ void TestKeyFilter::keysOfTheToolAndOfTheExerciseAlone() {
     QCOMPARE(depth.count(), 1);
 }
 
-/// Page Down lowers the tool; with Ctrl it reads on in the panel, wherever the focus is.
+/// Page Down lowers the tool; with Ctrl it reads on in the panel, wherever the focus is. Where the screen has
+/// no panel, the keys with Ctrl are left to whoever has the focus.
 void TestKeyFilter::theKeysOfThePanelMoveNothing() {
     Keys keys;
     QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
     QSignalSpy panel(&keys.filter, &KeyFilter::panelAsked);
+    QKeyEvent unused(QEvent::KeyPress, Qt::Key_PageDown, Qt::ControlModifier);
+    QCoreApplication::sendEvent(&keys.screen, &unused);
+    QVERIFY(!unused.isAccepted()); // a plain widget has no use for it
+    QCOMPARE(panel.count(), 0);
+    keys.filter.setPanelKeys(true);
     QTest::keyPress(&keys.scene, Qt::Key_PageDown, Qt::ControlModifier);
     QTest::keyPress(&keys.screen, Qt::Key_PageUp, Qt::ControlModifier);
     QCOMPARE(panel.count(), 2);

@@ -26,9 +26,9 @@ private slots:
             yielded(0, 0, 12.3456, {{"quantity", "torque"}, {"value", 213.0}, {"unit", "mN·m"}}),
             yielded(1, 2, 20.0, {{"quantity", "force"}, {"value", 8.0}, {"unit", "N"}},
                     {0.0123, -0.004, 0.0207}),
-            yielded(1, 0, 21.0, {})};
+            yielded(1, 0, 21.0, {}), yielded(1, 0, 22.0, {}, {-0.00004, 0.00004, -0.00006})};
         const QJsonArray yields = cli::yieldsOf(events);
-        QCOMPARE(yields.size(), 3);
+        QCOMPARE(yields.size(), 4);
         QCOMPARE(yields[0]["trial"].toInt(), 1); // people count from one
         QCOMPARE(yields[0]["gave_way_to"]["unit"].toString(), QStringLiteral("mN·m"));
         QCOMPARE(yields[1]["position_m"].toArray(), (QJsonArray{0.0123, -0.004, 0.0207}));
@@ -38,7 +38,9 @@ private slots:
                             QStringLiteral("tissue gave way: trial 1, tool 1, at 12.346 s, torque 213 mN·m"),
                             QStringLiteral("tissue gave way: trial 2, tool 3, at 20.000 s, force 8.00 N, "
                                            "tip at x 12.3, y -4.0, z 20.7 mm"),
-                            QStringLiteral("tissue gave way: trial 2, tool 1, at 21.000 s")}));
+                            QStringLiteral("tissue gave way: trial 2, tool 1, at 21.000 s"),
+                            QStringLiteral("tissue gave way: trial 2, tool 1, at 22.000 s, "
+                                           "tip at x 0.0, y 0.0, z -0.1 mm")})); // no negative nothing
         QCOMPARE(cli::yieldsText(cli::yieldsOf({})), QString());
     }
 };

@@ -93,6 +93,16 @@ QStringList ElasticTubeFace::limitWords(const session::LevelLimits& limits, cons
     return words;
 }
 
+/// A tube tears in one piece, which ends the trial.
+QString ElasticTubeFace::yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const {
+    if (!ends)
+        return ExerciseFace::yieldedWords(level, ends);
+    return level.feedback
+               ? AnswerTexts::tr("The tube tore: this trial can no longer be completed. Stretch it less far, "
+                                 "and pull more gently")
+               : AnswerTexts::tr("The tube tore: this trial can no longer be completed");
+}
+
 std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level,
                                                     LiveSurroundings around) const {
     const auto& p = level.parameters.as<simulation::ElasticTubeParameters>();

@@ -83,6 +83,14 @@ std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const {
     return std::make_unique<FoundLumps>();
 }
 
+/// Tissue gives way under a finger that presses and between jaws that squeeze.
+QString PalpationFace::yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const {
+    if (ends || !level.feedback || !palpationOf(level)->pinch)
+        return ExerciseFace::yieldedWords(level, ends);
+    return AnswerTexts::tr("Too hard: the tissue gave way. Draw back until you are out of it, or open the "
+                           "jaws if they squeezed it");
+}
+
 std::unique_ptr<LivePart> PalpationFace::livePart(const catalogue::ExerciseLevel& level,
                                                   LiveSurroundings around) const {
     return std::make_unique<PalpationPart>(*palpationOf(level), std::move(around));

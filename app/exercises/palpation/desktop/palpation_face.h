@@ -12,6 +12,7 @@ public:
                                           const PictureFrame& frame) const override;
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
     std::unique_ptr<FoundAnswer> foundAnswer() const override;
+    QString yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;
     QString debriefTitle() const override;

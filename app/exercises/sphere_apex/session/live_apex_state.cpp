@@ -118,6 +118,10 @@ double LiveApex::State::triedSoFar_s() const {
     return tried_s + (watch->inTrial() ? watch->clock().exploration_s() : 0.0);
 }
 
+double LiveApex::State::tryLeft_s() const {
+    return tries ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
+}
+
 void LiveApex::State::store(const StudyAnswer& answer) {
     auto trial = progress.record(answer);
     if (!trial)
@@ -173,9 +177,12 @@ void LiveApex::State::goOn() {
     if (stopping || watch->over())
         // A paused scene would never reach its end.
         control.letGo();
-    if (tries && triedSoFar_s() >= tryFor_s)
+    const bool tried = tries && tryLeft_s() <= 0.0;
+    if (tried) {
+        tried_s = tryFor_s; // it stays over while the session ends
         control.letGo();
-    if ((stopping || progress.done() || (tries && triedSoFar_s() >= tryFor_s)) && !watch->over())
+    }
+    if ((stopping || progress.done() || tried) && !watch->over())
         endSession();
 }
 
@@ -203,7 +210,7 @@ void LiveApex::State::sessionEnded() {
     const bool further =
         !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried);
     if (!further)
-        return conclude();
+        return conclude(!progress.done() && !stopping);
     waits = true;
     goOnWithNext();
 }
@@ -224,13 +231,12 @@ void LiveApex::State::goOnWithNext() {
     conclude();
 }
 
-void LiveApex::State::conclude() {
+void LiveApex::State::conclude(bool byItself) {
     storePending();
     done = true;
     if (!result && result.error().code != core::ErrorCode::wrongUse)
         return; // a trial could not be stored, or a session could not be run
-    LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp(),
-                          !progress.done() && !stopping};
+    LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp(), byItself};
     if (ended.completed)
         if (auto closed = finishRun(database, actor, study, run); !closed) {
             result = tl::unexpected(closed.error());
@@ -242,16 +248,16 @@ void LiveApex::State::conclude() {
 void LiveApex::State::describe() {
     const StudyPresentation shown = progress.done() ? StudyPresentation{} : progress.next();
     const bool running = watch->inTrial() && last.phase == TrialPhase::running && !stopping;
-    view.practice = shown.practice && !tries;
+    view.tryLeft_s = tryLeft_s();
+    view.practice = shown.practice && view.tryLeft_s <= 0.0;
     view.mayTakeBack = pending.has_value() && !done;
-    view.tryLeft_s = tries ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
     view.trial = progress.scored();
     view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
     view.touched = watch->touched() ? 1u : 0u;
     const double limit_s = study.design.trial.exploreLimit_s;
     const double spent_s = watch->clock().exploration_s();
     view.timeLeft_s = running && !tries && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
-    view.canAnswer = running && !control.held() && last.paused == 0 &&
+    view.canAnswer = running && !control.held() && last.paused == 0 && (!tries || view.tryLeft_s > 0.0) &&
                      (watch->touched() || !study.design.trial.mustTouchAll);
     view.breakLeft_s = progress.breakDue()
                            ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince))
@@ -276,7 +282,7 @@ LiveStudyView::State LiveApex::State::where() const {
         return View::paused;
     if (view.beside_m || pending)
         return View::feedback;
-    if (waitsForReady)
+    if (waitsForReady || (tries && tryLeft_s() <= 0.0 && !readySaid && !stopping))
         return View::tried;
     if (!watch->inTrial() && waitsToCount)
         return View::practised;
@@ -289,7 +295,7 @@ LiveStudyView::State LiveApex::State::where() const {
     if (last.paused != 0)
         return View::arming; // resuming: force is armed first
     if (tries && last.phase == TrialPhase::running)
-        return View::trying;
+        return tryLeft_s() > 0.0 ? View::trying : View::coming;
     if (last.phase == TrialPhase::running)
         return watch->inTrial() ? View::exploring : View::coming;
     return last.phase == TrialPhase::ready ? View::arming : View::coming;

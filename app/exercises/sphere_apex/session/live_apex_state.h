@@ -79,13 +79,15 @@ struct LiveApex::State {
     void storePending();
     bool feedbackOver() const;
     double triedSoFar_s() const;
+    double tryLeft_s() const; ///< 0 once the free minute is over, also while its session is ending
     void note(const TrialFidelity& fidelity);
     void summarise();
     void goOn();
     void endSession();
     void sessionEnded();
     void goOnWithNext();
-    void conclude();
+    /// `byItself`: nobody stopped the run, and another session would end in the same way.
+    void conclude(bool byItself = false);
     void fail(const core::Error& error);
     bool heldBetween() const;
     void describe();

@@ -145,6 +145,7 @@ private slots:
     void theFreeMinuteEndsByItself();
     void noLimitOfATrialEndsTheFreeMinute();
     void aSessionThatEndsByItselfIsTold();
+    void withoutAFurtherStationItOnlyStaysOpen();
 };
 
 namespace {
@@ -185,17 +186,46 @@ void TestLiveApex::aSessionThatEndsByItselfIsTold() {
     QVERIFY(!live->result()->completed && live->result()->endedByItself);
 }
 
+/// A trial is left over because nobody provides the device again: nothing is wrong with it.
+void TestLiveApex::withoutAFurtherStationItOnlyStaysOpen() {
+    Site site(design(2));
+    auto asked = site.request();
+    asked.nextStation = {};
+    auto started = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(started);
+    session::LiveSitting& live = **started;
+    const auto places = tests::apexPlaces(live, site.run().seed, 0);
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::exploring, kPatience_ms);
+    live.spoil();
+    QVERIFY(mark(live, places));
+    QVERIFY(mark(live, places));
+    QTRY_VERIFY_WITH_TIMEOUT((live.poll(), live.finished()), kPatience_ms);
+    QVERIFY(live.result().has_value());
+    QVERIFY(!live.result()->completed && !live.result()->endedByItself);
+}
+
 /// No sphere of a trial comes before somebody says so.
 void TestLiveApex::theFreeMinuteEndsByItself() {
-    Site site(design(3));
+    psychophysics::StudyDesign of = design(3);
+    of.trial.practiceTrials = 1;
+    Site site(of);
     auto asked = site.request();
     asked.freeMinute_s = 0.5;
     auto started = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
     QVERIFY(started);
     session::LiveSitting& live = **started;
     QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::trying, kPatience_ms);
-    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::tried, kPatience_ms);
+    int between = 0; // moments that are neither of the minute nor of its end
+    const auto tried = [&] {
+        live.poll();
+        const auto view = live.view();
+        between += view.tryLeft_s <= 0.0 && view.state != View::tried ? 1 : 0;
+        return view.state == View::tried;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(tried(), kPatience_ms);
+    QCOMPARE(between, 0);
     QCOMPARE(live.view().tryLeft_s, 0.0);
+    QVERIFY(live.view().practice); // which comes next
     for (int i = 0; i < 20; ++i) {
         QTest::qWait(20);
         live.poll();
