@@ -193,6 +193,22 @@
         <source>The tissue gave way</source>
         <translation>Das Gewebe hat nachgegeben</translation>
     </message>
+    <message>
+        <source>The tissue gave way: this trial can no longer be completed</source>
+        <translation>Das Gewebe hat nachgegeben: Dieser Durchgang kann nicht mehr abgeschlossen werden</translation>
+    </message>
+    <message>
+        <source>The tube tore: this trial can no longer be completed. Stretch it less far, and pull more gently</source>
+        <translation>Der Schlauch ist gerissen: Dieser Durchgang kann nicht mehr abgeschlossen werden. Dehnen Sie ihn weniger weit und ziehen Sie sanfter</translation>
+    </message>
+    <message>
+        <source>The tube tore: this trial can no longer be completed</source>
+        <translation>Der Schlauch ist gerissen: Dieser Durchgang kann nicht mehr abgeschlossen werden</translation>
+    </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
+        <translation>Zu fest: Das Gewebe hat nachgegeben. Ziehen Sie zurück, bis Sie wieder draußen sind, oder öffnen Sie die Branchen, wenn sie es gequetscht haben</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -7051,10 +7067,6 @@ Einzelheiten: %2</translation>
         <translation>Sie bewegen die linke Hand (H für die rechte)</translation>
     </message>
     <message>
-        <source>Demonstration (%1). %2: force shown, not felt</source>
-        <translation>Vorführung (%1). %2: Kraft gezeigt, nicht gefühlt</translation>
-    </message>
-    <message>
         <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
         <translation>Bewegen: mit dem Griff. Markieren: Knopf am Griff oder Enter. Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
@@ -7073,6 +7085,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Space: pause. Esc: stop force. F5: start again.</source>
         <translation>Leertaste: Pause. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Demonstration (%1). %2</source>
+        <translation>Vorführung (%1). %2</translation>
     </message>
 </context>
 <context>

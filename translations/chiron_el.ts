@@ -193,6 +193,22 @@
         <source>The tissue gave way</source>
         <translation>Ο ιστός υποχώρησε</translation>
     </message>
+    <message>
+        <source>The tissue gave way: this trial can no longer be completed</source>
+        <translation>Ο ιστός υποχώρησε: αυτή η δοκιμή δεν μπορεί πια να ολοκληρωθεί</translation>
+    </message>
+    <message>
+        <source>The tube tore: this trial can no longer be completed. Stretch it less far, and pull more gently</source>
+        <translation>Ο σωλήνας σχίστηκε: αυτή η δοκιμή δεν μπορεί πια να ολοκληρωθεί. Τεντώστε τον λιγότερο και τραβήξτε πιο απαλά</translation>
+    </message>
+    <message>
+        <source>The tube tore: this trial can no longer be completed</source>
+        <translation>Ο σωλήνας σχίστηκε: αυτή η δοκιμή δεν μπορεί πια να ολοκληρωθεί</translation>
+    </message>
+    <message>
+        <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
+        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τα σκέλη της λαβίδας αν τον συνέσφιξαν</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -7051,10 +7067,6 @@ Details: %2</source>
         <translation>Κινείτε το αριστερό χέρι (H για το δεξί)</translation>
     </message>
     <message>
-        <source>Demonstration (%1). %2: force shown, not felt</source>
-        <translation>Επίδειξη (%1). %2: μόνο προβολή δύναμης</translation>
-    </message>
-    <message>
         <source>Move: with the handle. Mark: button of the handle or Enter. Space: pause. Esc: stop force. F5: start again.</source>
         <translation>Κίνηση: με τη λαβή. Σημείωση: κουμπί της λαβής ή Enter. Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
@@ -7073,6 +7085,10 @@ Details: %2</source>
     <message>
         <source>Space: pause. Esc: stop force. F5: start again.</source>
         <translation>Διάστημα: παύση. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Demonstration (%1). %2</source>
+        <translation>Επίδειξη (%1). %2</translation>
     </message>
 </context>
 <context>
