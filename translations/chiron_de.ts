@@ -8550,8 +8550,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Antworten</translation>
     </message>
     <message>
-        <source>Practise it on level %1: %2</source>
-        <translation>Auf Stufe %1 üben: %2</translation>
+        <source>Practise it on level %1</source>
+        <translation>Auf Stufe %1 üben</translation>
     </message>
 </context>
 <context>

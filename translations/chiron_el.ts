@@ -8550,8 +8550,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Απάντηση</translation>
     </message>
     <message>
-        <source>Practise it on level %1: %2</source>
-        <translation>Εξάσκηση στο επίπεδο %1: %2</translation>
+        <source>Practise it on level %1</source>
+        <translation>Εξάσκηση στο επίπεδο %1</translation>
     </message>
 </context>
 <context>
@@ -11701,7 +11701,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>No other completed session of this level</source>
-        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία σε αυτό το επίπεδο</translation>
+        <translation>Καμία άλλη ολοκληρωμένη συνεδρία του επιπέδου</translation>
     </message>
     <message>
         <source>The second session could not be read. This one is shown alone.</source>

@@ -9,16 +9,22 @@
 
 namespace chiron::tests {
 
+/// Where a mask has a 1. A mask has black as the colour of its 0, which a bitmap would take for its 1.
+inline QRegion regionOfMask(QImage mask) {
+    mask.setColorTable({QColor(Qt::color0).rgba(), QColor(Qt::color1).rgba()});
+    return QRegion(QBitmap::fromImage(mask));
+}
+
 /// Where an image that the program makes (an icon, a texture, a page) has exactly this colour.
 inline QRegion regionOf(const QImage& image, const QColor& colour) {
     const QImage all = image.convertToFormat(QImage::Format_ARGB32);
-    return QRegion(QBitmap::fromImage(all.createMaskFromColor(colour.rgba())));
+    return regionOfMask(all.createMaskFromColor(colour.rgba()));
 }
 
 /// Where it is exactly as opaque as this: 0 where all that is behind it shows, 255 where nothing does.
 inline QRegion regionOfAlpha(const QImage& image, int alpha) {
     const QImage all = image.convertToFormat(QImage::Format_Alpha8);
-    return QRegion(QBitmap::fromImage(all.createMaskFromColor(qRgba(0, 0, 0, alpha))));
+    return regionOfMask(all.createMaskFromColor(qRgba(0, 0, 0, alpha)));
 }
 
 /// The same shape in one colour.

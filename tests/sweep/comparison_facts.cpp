@@ -55,10 +55,11 @@ public:
         const Vec3& p = in.tools.tools[0].p_WT;
         for (int i = 0; i < m_p.places; ++i) {
             const bool may = m_mayHold[static_cast<std::size_t>(i)];
+            // Where a lifted mass is let go is not known from the content, so no air is claimed for it.
             clear_m = std::min(clear_m, !simulation::isHooked(m_p.attribute) ? abovePad_m(i, p)
+                                        : !isTube()                          ? -1.0
                                         : !may                               ? kNothing_m
-                                        : isTube()                           ? slackOf_m(i, p)
-                                                                             : -1.0);
+                                                                             : slackOf_m(i, p));
         }
         return clear_m;
     }

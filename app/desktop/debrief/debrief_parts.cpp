@@ -127,11 +127,11 @@ const catalogue::ExerciseLevel* DebriefScreen::practisedAt(const MetricAdvice& a
 QWidget* DebriefScreen::practiceButton(const catalogue::ExerciseLevel& level) {
     const QString title =
         QString::fromStdString(catalogue::textIn(level.title, context().language().toStdString()));
-    auto* button =
-        kit::button(context().theme(),
-                    tr("Practise it on level %1: %2").arg(context().locale().toString(level.number), title),
-                    "quiet", QStringLiteral("go-next"));
+    auto* button = kit::button(context().theme(),
+                               tr("Practise it on level %1").arg(context().locale().toString(level.number)),
+                               "quiet", QStringLiteral("go-next"));
     button->setObjectName(QStringLiteral("debrief.practise"));
+    button->setToolTip(title); // a title as long as content likes would not fit every window
     connect(button, &QPushButton::clicked, this, [this, number = level.number] { openSetup(number); });
     return button;
 }

@@ -69,7 +69,15 @@ QString number(double value, const QLocale& locale, int digits) {
 }
 
 QString withError(double value, double error, const QLocale& locale) {
-    return QStringLiteral("%1 ± %2").arg(number(value, locale), number(error, locale, 2));
+    if (!std::isfinite(value) || !std::isfinite(error))
+        return QStringLiteral("%1 ± %2").arg(number(value, locale), number(error, locale, 2));
+    // Both to the same place: that of the value's third digit, or of the error's first if that is further on.
+    const auto placeOf = [](double x, int digits) {
+        return x == 0.0 ? 0 : std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(x)))));
+    };
+    const int decimals = std::max(placeOf(value, kUsualDigits), placeOf(error, 1));
+    return QStringLiteral("%1 ± %2").arg(locale.toString(value, 'f', decimals),
+                                         locale.toString(error, 'f', decimals));
 }
 
 QString plainNumber(double value, const QLocale& locale) {

@@ -58,7 +58,7 @@ QString number(double value, const QLocale& locale, int digits = kUsualDigits);
 /// writes a number with so many digits.
 int digitsThatDiffer(const std::vector<double>& numbers, int fewest,
                      const std::function<QString(double, int)>& written);
-/// "0.81 ± 0.02": a number and the error of it, to two digits.
+/// "0.812 ± 0.024": a number and its error, written to the same decimal place.
 QString withError(double value, double error, const QLocale& locale);
 QString plainNumber(double value, const QLocale& locale); ///< as people write it: 4, 3.5
 /// A ratio in per cent ("12.5 %"); a dash if it is not a number.

@@ -73,6 +73,7 @@ private:
     QWidget* buildDetailsSwitch();
     QWidget* buildFoot();
     void giveSceneRoom(); ///< the other parts give way, in a fixed order
+    void setSpace(double share);
     int sceneHeight_px() const;
     LiveSurroundings surroundings();
     InfoView* makeInfo();

@@ -284,8 +284,8 @@ void TrainingScreen::resizeEvent(QResizeEvent* event) {
 }
 
 /// In this order: the panel becomes narrower, the text of the keys goes (the ready card and Help list them,
-/// too), the header becomes compact, and the panel gives up the plots that bars show as well, before it has
-/// to scroll (SidePanel). The buttons always stay.
+/// too), the header becomes compact, the space between the parts is halved, and the panel gives up the plots
+/// that bars show as well, before it has to scroll (SidePanel). The buttons always stay.
 void TrainingScreen::giveSceneRoom() {
     const Theme& theme = context().theme();
     const double wanted_px = m_live ? m_live->panelWidth_px() : kPanelWidth_px;
@@ -296,11 +296,23 @@ void TrainingScreen::giveSceneRoom() {
     m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <=
                            kLargestKeysShare * height());
     m_header->setCompact(height() < theme.px(kCompactBelow_px));
+    setSpace(1.0);
     const int least_px = static_cast<int>(std::ceil(kSceneHeightShare * height()));
     if (sceneHeight_px() < least_px)
         m_keysText->hide();
     if (sceneHeight_px() < least_px)
         m_header->setCompact(true);
+    if (sceneHeight_px() < least_px)
+        setSpace(0.5);
+}
+
+/// `share`: of the usual space around and between the parts, from top to bottom.
+void TrainingScreen::setSpace(double share) {
+    const Theme& theme = context().theme();
+    const int side_px = theme.px(kMargin_px);
+    const int above_px = theme.px(share * kMargin_px);
+    layout()->setContentsMargins(side_px, above_px, side_px, above_px);
+    layout()->setSpacing(theme.px(share * kGap_px));
 }
 
 /// What header, foot and controls leave.

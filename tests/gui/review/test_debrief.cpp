@@ -155,8 +155,10 @@ void TestDebrief::aLowerLevelToPractiseOnIsOffered() {
     open(m_bad);
     const int level = m_made->bad.setup.level.number;
     QCOMPARE(level, 2);
-    QCOMPARE(offers(), QStringList{QStringLiteral("Practise it on level 1: Visible sphere")}); // once for all
-    m_site->find<QPushButton>(QStringLiteral("debrief.practise"))->click();
+    QCOMPARE(offers(), QStringList{QStringLiteral("Practise it on level 1")}); // once for all
+    auto* practise = m_site->find<QPushButton>(QStringLiteral("debrief.practise"));
+    QCOMPARE(practise->toolTip(), QStringLiteral("Visible sphere"));
+    practise->click();
     const desktop::Place place = m_site->context.navigator().current();
     QCOMPARE(place.screen, QStringLiteral("exercise_setup"));
     QCOMPARE(place.parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));

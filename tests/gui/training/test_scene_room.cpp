@@ -124,7 +124,7 @@ void TestSceneRoom::plotsGiveWayBeforeThePanelScrolls() {
     cues.bars = false; // then the plot shows what nothing else does, and the panel scrolls
     desktop::SidePanel bare(theme);
     bare.addInfo(new desktop::InfoPanel(theme, QLocale::c(), cues, {}));
-    bare.resize(300, 60);
+    bare.setFixedSize(300, 60); // less than its layout would leave it
     bare.show();
     QCoreApplication::processEvents();
     QVERIFY(bare.findChild<QWidget*>(QStringLiteral("training.force_plot"))->isVisible());
