@@ -58,6 +58,9 @@ void HeaderBar::show(const haptics::DisplayState& state) {
 }
 
 void HeaderBar::setCompact(bool compact) {
+    if (compact == m_compact)
+        return;
+    m_compact = compact;
     m_device->setVisible(!compact);
     for (QLabel* label : {m_trial, m_left})
         label->setFont(m_theme.font(compact ? TextStyle::strong : TextStyle::title));

@@ -41,6 +41,7 @@ private:
     QLocale m_locale;
     int m_trials;
     QLabel* m_device = nullptr;
+    bool m_compact = false;
     QLabel* m_trial;
     QLabel* m_left;
     QPushButton* m_mute = nullptr;

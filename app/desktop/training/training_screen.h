@@ -64,6 +64,7 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     // training_screen_build.cpp
@@ -73,6 +74,7 @@ private:
     QWidget* buildDetailsSwitch();
     QWidget* buildFoot();
     void giveSceneRoom(); ///< the other parts give way, in a fixed order
+    void giveMoreRoom();
     void setSpace(double share);
     int sceneHeight_px() const;
     LiveSurroundings surroundings();

@@ -283,6 +283,14 @@ void TrainingScreen::resizeEvent(QResizeEvent* event) {
     giveSceneRoom();
 }
 
+// A part that needs more room than before must not take it from the scene.
+bool TrainingScreen::event(QEvent* event) {
+    const bool handled = Screen::event(event);
+    if (event->type() == QEvent::LayoutRequest && m_controls)
+        giveMoreRoom();
+    return handled;
+}
+
 /// In this order: the panel becomes narrower, the text of the keys goes (the ready card and Help list them,
 /// too), the header becomes compact, the space between the parts is halved, and the panel gives up the plots
 /// that bars show as well, before it has to scroll (SidePanel). The buttons always stay.
@@ -297,6 +305,11 @@ void TrainingScreen::giveSceneRoom() {
                            kLargestKeysShare * height());
     m_header->setCompact(height() < theme.px(kCompactBelow_px));
     setSpace(1.0);
+    giveMoreRoom();
+}
+
+/// Only ever takes room from the other parts, so that the layout settles.
+void TrainingScreen::giveMoreRoom() {
     const int least_px = static_cast<int>(std::ceil(kSceneHeightShare * height()));
     if (sceneHeight_px() < least_px)
         m_keysText->hide();
@@ -312,7 +325,8 @@ void TrainingScreen::setSpace(double share) {
     const int side_px = theme.px(kMargin_px);
     const int above_px = theme.px(share * kMargin_px);
     layout()->setContentsMargins(side_px, above_px, side_px, above_px);
-    layout()->setSpacing(theme.px(share * kGap_px));
+    if (layout()->spacing() != theme.px(share * kGap_px))
+        layout()->setSpacing(theme.px(share * kGap_px));
 }
 
 /// What header, foot and controls leave.
