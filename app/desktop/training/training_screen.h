@@ -75,7 +75,6 @@ private:
     QWidget* buildFoot();
     void giveSceneRoom(); ///< the other parts give way, in a fixed order
     void giveMoreRoom();
-    void setSpace(double share);
     int sceneHeight_px() const;
     LiveSurroundings surroundings();
     InfoView* makeInfo();

@@ -304,7 +304,6 @@ void TrainingScreen::giveSceneRoom() {
     m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <=
                            kLargestKeysShare * height());
     m_header->setCompact(height() < theme.px(kCompactBelow_px));
-    setSpace(1.0);
     giveMoreRoom();
 }
 
@@ -315,18 +314,6 @@ void TrainingScreen::giveMoreRoom() {
         m_keysText->hide();
     if (sceneHeight_px() < least_px)
         m_header->setCompact(true);
-    if (sceneHeight_px() < least_px)
-        setSpace(0.5);
-}
-
-/// `share`: of the usual space around and between the parts, from top to bottom.
-void TrainingScreen::setSpace(double share) {
-    const Theme& theme = context().theme();
-    const int side_px = theme.px(kMargin_px);
-    const int above_px = theme.px(share * kMargin_px);
-    layout()->setContentsMargins(side_px, above_px, side_px, above_px);
-    if (layout()->spacing() != theme.px(share * kGap_px))
-        layout()->setSpacing(theme.px(share * kGap_px));
 }
 
 /// What header, foot and controls leave.
