@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/accounts/form.h"
 
+#include "desktop/accounts/notice_area.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/languages.h"
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QHBoxLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QStyle>
 
 namespace chiron::desktop::form {
@@ -34,6 +37,22 @@ QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString&
     field->setEchoMode(QLineEdit::Password);
     field->setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText | Qt::ImhNoAutoUppercase);
     return field;
+}
+
+Foot addFoot(const Theme& theme, QVBoxLayout* layout, QPushButton* back, QPushButton* next) {
+    // The notice needs no room of its own, because nothing stands below the buttons that could move.
+    const Foot foot{new QWidget, new NoticeArea(theme, NoticeArea::Room::none)};
+    auto* column = new QVBoxLayout(foot.widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(12));
+    layout->addWidget(foot.widget);
+    column->addWidget(foot.notice);
+    auto* row = new QHBoxLayout;
+    row->addWidget(back);
+    row->addStretch();
+    row->addWidget(next);
+    column->addLayout(row);
+    return foot;
 }
 
 void setKind(QWidget* widget, const char* kind) {

@@ -36,23 +36,13 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
                               "change it in the settings."));
     m_passwords = new PasswordFields(theme, QStringLiteral("first_start"));
     column->addWidget(m_passwords);
-    m_foot = new QWidget;
-    auto* foot = new QVBoxLayout(m_foot);
-    foot->setContentsMargins(0, 0, 0, 0);
-    foot->setSpacing(theme.px(12));
-    column->addWidget(m_foot);
-    // No room is needed, because nothing stands below the buttons that could move.
-    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
-    foot->addWidget(m_notice);
-    auto* row = new QHBoxLayout;
     m_back = kit::button(theme, tr("Back"));
     m_back->setObjectName(QStringLiteral("first_start.back"));
     m_create = kit::button(theme, tr("Set up the site"), "primary");
     m_create->setObjectName(QStringLiteral("first_start.create"));
-    row->addWidget(m_back);
-    row->addStretch();
-    row->addWidget(m_create);
-    foot->addLayout(row);
+    const form::Foot foot = form::addFoot(theme, column, m_back, m_create);
+    m_foot = foot.widget;
+    m_notice = foot.notice;
     connect(m_name, &QLineEdit::textChanged, this, &AdministratorPage::renew);
     connect(m_name, &QLineEdit::returnPressed, m_displayName, qOverload<>(&QWidget::setFocus));
     connect(m_displayName, &QLineEdit::returnPressed, m_siteName, qOverload<>(&QWidget::setFocus));

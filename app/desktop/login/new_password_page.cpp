@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/login/new_password_page.h"
 
+#include "desktop/accounts/form.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/accounts/password_fields.h"
 #include "desktop/widgets/kit.h"
@@ -20,24 +21,14 @@ NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, Q
     m_passwords = new PasswordFields(theme, QStringLiteral("change"));
     m_passwords->setLoginName(loginName);
     column->addWidget(m_passwords);
-    m_foot = new QWidget;
-    auto* foot = new QVBoxLayout(m_foot);
-    foot->setContentsMargins(0, 0, 0, 0);
-    foot->setSpacing(theme.px(12));
-    column->addWidget(m_foot);
-    // No room is needed, because nothing stands below the buttons that could move.
-    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
-    m_notice->setObjectName(QStringLiteral("change.notice"));
-    foot->addWidget(m_notice);
-    auto* row = new QHBoxLayout;
     auto* back = kit::button(theme, tr("Back"));
     back->setObjectName(QStringLiteral("change.back"));
     m_save = kit::button(theme, tr("Save and log in"), "primary");
     m_save->setObjectName(QStringLiteral("change.save"));
-    row->addWidget(back);
-    row->addStretch();
-    row->addWidget(m_save);
-    foot->addLayout(row);
+    const form::Foot foot = form::addFoot(theme, column, back, m_save);
+    m_foot = foot.widget;
+    m_notice = foot.notice;
+    m_notice->setObjectName(QStringLiteral("change.notice"));
     connect(m_passwords, &PasswordFields::changed, this, &NewPasswordPage::renew);
     connect(m_passwords, &PasswordFields::submitted, this, &NewPasswordPage::submit);
     connect(m_save, &QPushButton::clicked, this, &NewPasswordPage::submit);

@@ -31,24 +31,14 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     m_code->setPlaceholderText(QStringLiteral("XXXXX-XXXXX-XXXXX-XXXXX-XXXXX"));
     m_passwords = new PasswordFields(theme, QStringLiteral("recovery"));
     column->addWidget(m_passwords);
-    m_foot = new QWidget;
-    auto* foot = new QVBoxLayout(m_foot);
-    foot->setContentsMargins(0, 0, 0, 0);
-    foot->setSpacing(theme.px(12));
-    column->addWidget(m_foot);
-    // No room is needed, because nothing stands below the buttons that could move.
-    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
-    m_notice->setObjectName(QStringLiteral("recovery.notice"));
-    foot->addWidget(m_notice);
-    auto* row = new QHBoxLayout;
     auto* back = kit::button(theme, tr("Back"));
     back->setObjectName(QStringLiteral("recovery.back"));
     m_save = kit::button(theme, tr("Set the password"), "primary");
     m_save->setObjectName(QStringLiteral("recovery.save"));
-    row->addWidget(back);
-    row->addStretch();
-    row->addWidget(m_save);
-    foot->addLayout(row);
+    const form::Foot foot = form::addFoot(theme, column, back, m_save);
+    m_foot = foot.widget;
+    m_notice = foot.notice;
+    m_notice->setObjectName(QStringLiteral("recovery.notice"));
     m_wait = new WaitCountdown(this);
     connect(m_wait, &WaitCountdown::changed, this,
             [this](int seconds) { m_save->setText(waitWords(seconds)); });

@@ -292,8 +292,8 @@ bool TrainingScreen::event(QEvent* event) {
 }
 
 /// In this order: the panel becomes narrower, the text of the keys goes (the ready card and Help list them,
-/// too), the header becomes compact, the space between the parts is halved, and the panel gives up the plots
-/// that bars show as well, before it has to scroll (SidePanel). The buttons always stay.
+/// too), the header becomes compact, and the panel gives up the plots that bars show as well, before it has
+/// to scroll (SidePanel). The buttons always stay.
 void TrainingScreen::giveSceneRoom() {
     const Theme& theme = context().theme();
     const double wanted_px = m_live ? m_live->panelWidth_px() : kPanelWidth_px;
