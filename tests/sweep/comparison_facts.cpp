@@ -35,16 +35,15 @@ public:
         : m_p(p), m_rise_m(roughRise_m(p.attribute == ComparedAttribute::roughness ? largestOf(p)
                                                                                    : p.object.roughness_m)) {}
     void follow(const SceneInput& in, const SceneOutput& out) override {
-        namespace q = simulation::comparison_quantity;
         const Vec3& p = in.tools.tools[0].p_WT;
-        const int felt = static_cast<int>(std::lround(out.quantities[q::kPlace])) - 1;
         for (int i = 0; i < m_p.places; ++i) {
             bool& may = m_mayHold[static_cast<std::size_t>(i)];
             const double away_m = (p - ringOf(i)).norm();
-            const bool slack = isTube() ? slackOf_m(i, p) >= 0.0 : felt != i;
+            if (!isTube() && !objectsPresent(out))
+                may = false;
             if (away_m <= m_p.hookReach_m)
                 may = true;
-            else if (slack && away_m > m_p.hookLeave_m)
+            else if (isTube() && slackOf_m(i, p) >= 0.0 && away_m > m_p.hookLeave_m)
                 may = false;
         }
     }
@@ -55,11 +54,11 @@ public:
         const Vec3& p = in.tools.tools[0].p_WT;
         for (int i = 0; i < m_p.places; ++i) {
             const bool may = m_mayHold[static_cast<std::size_t>(i)];
-            // Where a lifted mass is let go is not known from the content, so no air is claimed for it.
+            // Where a lifted mass is let go is not known, so no air is claimed once its ring was reached.
             clear_m = std::min(clear_m, !simulation::isHooked(m_p.attribute) ? abovePad_m(i, p)
-                                        : !isTube()                          ? -1.0
                                         : !may                               ? kNothing_m
-                                                                             : slackOf_m(i, p));
+                                        : isTube()                           ? slackOf_m(i, p)
+                                                                             : -1.0);
         }
         return clear_m;
     }
