@@ -45,8 +45,8 @@ struct BidsEvent {
 struct BidsSpan {
     double onset_s = 0.0;
     double end_s = 0.0;
-    QString type;                                 ///< as in BidsEvent, or kTissueYielded
-    QString value;                                ///< number of the presentation
+    QString type;  ///< as in BidsEvent, or kTissueYielded
+    QString value; ///< number of the presentation or trial; of the trial in which tissue gave way
     std::optional<core::Vec3> p_W = std::nullopt; ///< where tissue gave way; m, W
 };
 

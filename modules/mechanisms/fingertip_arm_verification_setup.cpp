@@ -181,7 +181,7 @@ double FingertipArmVerification::frictionError() const noexcept {
     for (const FingertipArmDrag& one : drags) {
         const double error = std::abs(one.felt_N - one.given_N) / one.given_N;
         if (std::isnan(error))
-            return error; // which no bound holds: std::max would pass over it
+            return error; // NaN is within no bound, and std::max would drop it
         worst = std::max(worst, error);
     }
     return worst;

@@ -4,12 +4,14 @@
 #include "core/fp_environment.h"
 #include "session/score_json.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QUuid>
 #include <algorithm>
 #include <utility>
 
@@ -34,11 +36,16 @@ QByteArray git(const QStringList& arguments) {
 std::string commitOfSources() {
     const QByteArray commit =
         git({QStringLiteral("rev-parse"), QStringLiteral("--short=12"), QStringLiteral("HEAD")});
+    // A key of its own each time where it is not known which sources were built, so that no result of other
+    // sources is taken for theirs.
+    const std::string once = "+" + QUuid::createUuid().toString(QUuid::Id128).toStdString();
     if (commit.isEmpty())
-        return "unknown";
-    const bool changed =
-        !git({QStringLiteral("status"), QStringLiteral("--porcelain"), QStringLiteral("-uno")}).isEmpty();
-    return commit.toStdString() + (changed ? "+" : "");
+        return "unknown" + once;
+    const QByteArray diff = git({QStringLiteral("diff"), QStringLiteral("--binary"), QStringLiteral("HEAD")});
+    if (diff.isEmpty())
+        return commit.toStdString();
+    const QByteArray digest = QCryptographicHash::hash(diff, QCryptographicHash::Sha256).toHex().left(12);
+    return commit.toStdString() + "+" + digest.toStdString();
 }
 
 std::string fileOf(const std::string& folder, const catalogue::ExerciseLevel& level) {

@@ -17,7 +17,9 @@ class LadderStore {
 public:
     /// What a session was run with.
     struct Sources {
-        std::string commit; ///< "+" after it where files had been changed since; "unknown" without git
+        /// Of the sources. Where files had been changed since, with a digest of the change; without git
+        /// "unknown" with a word that is never the same.
+        std::string commit;
         std::string models; ///< id of the laws (core/fp_environment.h)
         bool operator==(const Sources&) const = default;
     };

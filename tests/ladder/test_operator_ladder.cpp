@@ -138,8 +138,10 @@ void TestOperatorLadder::everyLevelIsHarderThanTheOneBefore() {
     QFETCH(QString, exercise);
     QStringList wrong;
     std::optional<Rate> before;
+    int compared = 0;
     for (const catalogue::ExerciseLevel& level : m_catalogue.find(exercise.toStdString())->levels) {
         const auto novice = rateOf(tests::recalled(level, settings()), "novice");
+        compared += before && novice ? 1 : 0;
         if (before && novice && tests::riseAtLeast(*before, *novice) > 0.0)
             wrong << QStringLiteral("level %1 is easier than the one before: %2; before: %3")
                          .arg(level.number)
@@ -147,6 +149,9 @@ void TestOperatorLadder::everyLevelIsHarderThanTheOneBefore() {
         before = novice;
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    const auto levels = m_catalogue.find(exercise.toStdString())->levels.size();
+    if (compared + 1 < static_cast<int>(levels))
+        QSKIP("not every level has been run");
 }
 
 QTEST_GUILESS_MAIN(TestOperatorLadder)

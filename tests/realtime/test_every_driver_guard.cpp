@@ -43,8 +43,12 @@ private slots:
             devices::DriverRequest request = requestForAnyDriver(kinematics.toStdString());
             request.shape = shape;
             auto made = asked.open(std::move(request));
-            if (!made)
-                continue; // not a shape of this driver's devices
+            if (!made) { // not a shape of this driver's devices
+                QVERIFY2(made.error().code == core::ErrorCode::badInput ||
+                             made.error().code == core::ErrorCode::wrongUse,
+                         made.error().message.c_str());
+                continue;
+            }
             ++shapes;
             const devices::DriverTool& tool = made->front();
             if (const auto opened = tool.device->open(); !opened) {

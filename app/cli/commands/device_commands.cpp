@@ -49,6 +49,7 @@ std::string checkedDriver() {
     return std::string(devices::usualDriver(devices::MovedBy::scriptedOperator).id);
 }
 
+/// Refuses every driver but checkedDriver().
 core::Result<void> refuseOtherDrivers(const QString& driver) {
     if (driver.isEmpty() || driver.toStdString() == checkedDriver())
         return {};

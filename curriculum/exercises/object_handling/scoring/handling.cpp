@@ -58,7 +58,7 @@ Measurement measurePlacementError(std::span<const PreparedTrial> trials) {
     return Measurement::of(core::mmFromM(sum_m / static_cast<double>(trials.size())));
 }
 
-constexpr int kWeigh = 1; ///< HandlingTruth::task: simulation::HandlingTask::weigh
+constexpr int kWeigh = 1; ///< simulation::HandlingTask::weigh, as HandlingTruth::task stores it
 
 Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     if (trials.empty())

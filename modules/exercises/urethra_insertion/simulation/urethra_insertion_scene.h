@@ -21,8 +21,7 @@ namespace chiron::simulation {
 ///   anatomy already produces forces, so the supervisor arms only while little force is requested; if the
 ///   endoscope lies inside at the start, the supervisor's ramp brings its force in.
 /// - kCompleted or kTimedOut ends the trial. Completion in the tick of the time limit counts as completed.
-/// The
-///   mark button has no meaning here.
+///   The mark button has no meaning here.
 /// - kStageChanged and kLandmarkSeen come from the ProcedureTracker, which advances by 1 ms in every running
 ///   tick.
 /// - The tracker, too, stands still while paused; contact still produces forces (the supervisor ramps them).
