@@ -8,6 +8,7 @@
 #include "catalogue/study_reader.h"
 #include "simulation/comparison/comparison_parameters.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
@@ -28,6 +29,7 @@ private slots:
     void everyKeyIsRead();
     void writingIsCanonical();
     void keysLeftOutKeepTheDefaults();
+    void whatADesignDoesNotSay();
     void shippedStudiesRoundTrip();
     void schemaKnowsEveryKey();
     void shippedStudiesAreComplete();
@@ -97,6 +99,54 @@ void TestStudyContent::keysLeftOutKeepTheDefaults() {
             study->participantsPlanned == plain.participantsPlanned);
     QVERIFY(study->trial.exploreLimit_s == plain.trial.exploreLimit_s &&
             study->blindParticipant == plain.blindParticipant);
+}
+
+// A design that says no more than it has to: what it then means is written into it when it is frozen, and
+// must not become something else in a later version.
+void TestStudyContent::whatADesignDoesNotSay() {
+    QJsonObject json = parsed(someStudy());
+    for (const char* key : {"order", "trial", "fidelity", "participants_planned", "blind_participant",
+                            "blind_experimenter", "seed"})
+        json.remove(QLatin1String(key));
+    QJsonObject condition = json["conditions"].toArray().at(0).toObject();
+    for (const char* key : {"scale", "criterion"})
+        condition.remove(QLatin1String(key));
+    json["conditions"] = QJsonArray{condition};
+    const QJsonObject item{{"id", "l"}, {"text", QJsonObject{{"en", "L"}}}, {"kind", "likert"}};
+    json["questionnaires"] = QJsonArray{
+        QJsonObject{{"id", "q"}, {"title", QJsonObject{{"en", "Q"}}}, {"items", QJsonArray{item}}}};
+    const auto study = readStudy(QJsonDocument(json).toJson(), "short");
+    QVERIFY2(study, study ? "" : study.error().message.c_str());
+    const QJsonObject written = parsed(studyJson(*study));
+    QCOMPARE(canonicalJson(written["trial"]), canonicalJson(QJsonObject{{"explore_limit_s", 30},
+                                                                        {"answer_limit_s", 20},
+                                                                        {"between_trials_s", 1},
+                                                                        {"break_at_least_s", 30},
+                                                                        {"practice_trials", 4},
+                                                                        {"break_every", 40},
+                                                                        {"feedback", false},
+                                                                        {"masking_sound", true},
+                                                                        {"visible_objects", true},
+                                                                        {"must_touch_all", true}}));
+    QCOMPARE(canonicalJson(written["fidelity"]), canonicalJson(QJsonObject{{"force_error_rms_N", 0.15},
+                                                                           {"stiffness_error", 0.15},
+                                                                           {"late_ticks", 0.01},
+                                                                           {"saturated", 0.05},
+                                                                           {"peak_force_N", 4},
+                                                                           {"mean_speed_m_per_s", 0.2},
+                                                                           {"repeats_at_most", 5}}));
+    QCOMPARE(written["order"].toString(), QStringLiteral("williams"));
+    QCOMPARE(written["participants_planned"].toInt(), 12);
+    QCOMPARE(written["seed"].toInt(), 1);
+    QVERIFY(written["blind_participant"].toBool() && !written["blind_experimenter"].toBool());
+    const QJsonObject asked = written["conditions"].toArray().at(0).toObject();
+    QCOMPARE(asked["criterion"].toDouble(), 0.75);
+    QCOMPARE(asked["scale"].toString(), QStringLiteral("difference"));
+    const QJsonObject questionnaire = written["questionnaires"].toArray().at(0).toObject();
+    QCOMPARE(questionnaire["when"].toString(), QStringLiteral("after"));
+    const QJsonObject question = questionnaire["items"].toArray().at(0).toObject();
+    QVERIFY(question["scale"].toInt() == 5 && question["required"].toBool() &&
+            question["construct"].toString().isEmpty());
 }
 
 void TestStudyContent::shippedStudiesRoundTrip() {

@@ -19,6 +19,8 @@ class TestStudyFaults : public QObject {
 private slots:
     void wrongDesignsAreRefused_data();
     void wrongDesignsAreRefused();
+    void limitsAreMetJustThere_data();
+    void limitsAreMetJustThere();
     void everythingWrongIsToldTogether();
     void brokenFoldersAreTold();
 };
@@ -151,6 +153,113 @@ void TestStudyFaults::wrongDesignsAreRefused() {
     const QString message = QString::fromStdString(study.error().message);
     QVERIFY2(message.contains(place), qPrintable(message));
     QVERIFY2(message.startsWith("wrong.json:") && message.contains("expected "), qPrintable(message));
+}
+
+void TestStudyFaults::limitsAreMetJustThere_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QJsonValue>("taken"); ///< the last value that may stand there
+    QTest::addColumn<QJsonValue>("refused");
+    int number = 0;
+    const auto row = [&number](const char* path, const QJsonValue& taken, const QJsonValue& refused) {
+        QTest::addRow("%d %s", ++number, path) << path << taken << refused;
+    };
+    const auto letters = [](int count) { return QString(count, QLatin1Char('x')); };
+    const auto numbered = [](QJsonObject like, int count) {
+        QJsonArray array;
+        for (int i = 0; i < count; ++i) {
+            like["id"] = QStringLiteral("i%1").arg(i);
+            array.append(like);
+        }
+        return array;
+    };
+    const auto ascending = [](int count) { // from 0.01 to 0.1
+        QJsonArray array;
+        for (int i = 0; i < count; ++i)
+            array.append(0.01 + 0.09 * i / (count - 1));
+        return array;
+    };
+    const QJsonObject study = parsed(someStudy());
+    const QJsonObject condition = study["conditions"].toArray().at(0).toObject();
+    const QJsonObject item = study["questionnaires"].toArray().at(0)["items"].toArray().at(3).toObject();
+    QJsonArray procedures, choices;
+    for (int i = 0; i < 9; ++i)
+        procedures.append(condition["procedures"].toArray().at(0));
+    for (int i = 0; i < 51; ++i)
+        choices.append(QJsonObject{{"en", "x"}});
+    const auto without = [](QJsonArray array) {
+        array.removeLast();
+        return array;
+    };
+    row("id", letters(64), letters(65));
+    row("pilot_of", letters(64), letters(65));
+    row("title.en", letters(1), letters(0));
+    row("title.en", letters(20000), letters(20001));
+    row("source", letters(2000), letters(2001));
+    row("ethics", letters(2000), letters(2001));
+    row("conditions", numbered(condition, 50), numbered(condition, 51));
+    row("conditions.0.criterion", 0.01, 0.009);
+    row("conditions.0.criterion", 0.99, 0.991);
+    row("conditions.0.procedures", without(procedures), procedures);
+    row("conditions.0.stimulus.differences", ascending(4096), ascending(4097));
+    row("conditions.1.stimulus.differences.1", 2, 2.001);
+    row("conditions.1.stimulus.fixed", QJsonObject{{"friction", 1e9}}, QJsonObject{{"friction", 1.1e9}});
+    for (const char* limit : {"explore_limit_s", "answer_limit_s", "break_at_least_s"}) {
+        row(qPrintable(QStringLiteral("trial.") + QLatin1String(limit)), 3600, 3600.5);
+        row(qPrintable(QStringLiteral("trial.") + QLatin1String(limit)), 0, -0.5);
+    }
+    row("trial.between_trials_s", 60, 60.5);
+    row("trial.between_trials_s", 0, -0.5);
+    row("trial.practice_trials", 200, 201);
+    row("trial.practice_trials", 0, -1);
+    row("trial.break_every", 10000, 10001);
+    row("trial.break_every", 0, -1);
+    row("trial.probe_at_least_N", 0, -0.1);
+    row("fidelity.force_error_rms_N", 0.001, 0.0009);
+    row("fidelity.force_error_rms_N", 100, 100.5);
+    row("fidelity.stiffness_error", 0.001, 0.0009);
+    row("fidelity.stiffness_error", 10, 10.5);
+    row("fidelity.late_ticks", 0, -0.01);
+    row("fidelity.late_ticks", 1, 1.01);
+    row("fidelity.saturated", 0, -0.01);
+    row("fidelity.saturated", 1, 1.01);
+    row("fidelity.peak_force_N", 0.01, 0.009);
+    row("fidelity.peak_force_N", 100, 100.5);
+    row("fidelity.mean_speed_m_per_s", 0.001, 0.0009);
+    row("fidelity.mean_speed_m_per_s", 10, 10.5);
+    row("fidelity.repeats_at_most", 1, 0);
+    row("fidelity.repeats_at_most", 100, 101);
+    row("questionnaires.0.items", numbered(item, 200), numbered(item, 201));
+    row("questionnaires.0.items.0.scale", 2, 1);
+    row("questionnaires.0.items.0.scale", 21, 22);
+    row("questionnaires.0.items.1.lowest", -1e9, -1.1e9);
+    row("questionnaires.0.items.1.highest", 1e9, 1.1e9);
+    row("questionnaires.0.items.1.highest", 0.001, 0);
+    row("questionnaires.0.items.2.choices", QJsonArray{choices[0], choices[1]}, QJsonArray{choices[0]});
+    row("questionnaires.0.items.2.choices", without(choices), choices);
+    row("participants_planned", 1, 0);
+    row("participants_planned", 100000, 100001);
+    row("seed", 0, -1);
+    row("seed", 9007199254740991.0, 9007199254740992.0); // what JSON holds exactly
+}
+
+void TestStudyFaults::limitsAreMetJustThere() {
+    QFETCH(QString, path);
+    QFETCH(QJsonValue, taken);
+    QFETCH(QJsonValue, refused);
+    const auto with = [&](const QJsonValue& value) {
+        return readStudy(
+            QJsonDocument(changed(parsed(someStudy()), path.split(QLatin1Char('.')), value).toObject())
+                .toJson(QJsonDocument::Compact),
+            "limit");
+    };
+    const auto good = with(taken);
+    QVERIFY2(good, good ? "" : good.error().message.c_str());
+    const auto bad = with(refused);
+    QVERIFY(!bad);
+    const QStringList steps = path.split(QLatin1Char('.'));
+    const bool place = steps.back().front().isDigit(); // then the array says it
+    QVERIFY2(QString::fromStdString(bad.error().message).contains(steps.at(steps.size() - (place ? 2 : 1))),
+             bad.error().message.c_str());
 }
 
 void TestStudyFaults::everythingWrongIsToldTogether() {

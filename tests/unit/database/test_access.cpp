@@ -4,6 +4,8 @@
 
 #include "database/access/authorise.h"
 
+#include <set>
+
 using namespace chiron;
 using namespace chiron::database;
 using namespace chiron::test;
@@ -32,6 +34,8 @@ private slots:
     void everyFunctionHasARowAndACall();
     void functionsDoAsTheTableSays_data();
     void functionsDoAsTheTableSays();
+    void writesBelongToAJob_data();
+    void writesBelongToAJob();
     void disabledAndForcedAccountsMayNothing();
     void listsShowOnlyWhatIsInReach();
     void namesAreHiddenFromResearchers();
@@ -109,6 +113,7 @@ void TestAccess::everyFunctionHasARowAndACall() {
         QVERIFY2(made.contains(action), (name + " is not called by this test").c_str());
     }
     QCOMPARE(scopeOf(Action::count, ActorKind::person, {Role::admin}), Scope::none); // no row: denied
+    QVERIFY(token(Action::count).empty());
 }
 
 void TestAccess::functionsDoAsTheTableSays_data() {
@@ -221,6 +226,40 @@ void TestAccess::functionsDoAsTheTableSays() {
             }
         }
     }
+}
+
+void TestAccess::writesBelongToAJob_data() {
+    QTest::addColumn<int>("action");
+    // These also work beside a writer, have a refusal of their own there, or answer it like a permission.
+    const std::set<Action> others{Action::beginLogin, Action::finishLogin, Action::beginRecovery,
+                                  Action::setBackupPlan, Action::createFirstAdministrator};
+    for (const auto& [action, call] : accessCalls(m_world)) {
+        if (call.inJob && !others.contains(action)) {
+            QTest::newRow(std::string(token(action)).c_str()) << static_cast<int>(action);
+        }
+    }
+}
+
+// A function that writes refuses a reader's connection, and the writer's own outside of a transaction, where
+// what it did before it failed would stay. It does so before it looks at anything else.
+void TestAccess::writesBelongToAJob() {
+    QFETCH(int, action);
+    const auto what = static_cast<Action>(action);
+    const auto made = accessCalls(m_world);
+    const Call& call = made.at(what);
+    const Actor admin = m_people.back().actor;
+    auto reader = m.database->openReader();
+    REQUIRE(reader);
+    const auto beside = call.run(**reader, admin, 0);
+    QVERIFY(!beside);
+    QCOMPARE(beside.error().code, core::ErrorCode::wrongUse);
+    if (what == Action::openSink) {
+        return; // a recording has transactions of its own
+    }
+    const auto outside = m.database->writer().runMaintenance(
+        [&](WriteContext& w) { return call.run(w.connection(), admin, 0); });
+    QVERIFY(!outside);
+    QCOMPARE(outside.error().code, core::ErrorCode::wrongUse);
 }
 
 void TestAccess::disabledAndForcedAccountsMayNothing() {

@@ -9,6 +9,7 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <array>
 #include <ctime>
 #include <set>
@@ -72,6 +73,11 @@ void TestAuditEntries::peopleAreNoted() {
     const std::size_t before = count();
     const auto tim = accounts.createPerson(m_admin, {"tim", "Tim", {Role::trainee}, kPassword, false});
     REQUIRE(tim);
+    QCOMPARE(PrivacyRepository(*reader(), m_admin).exportPerson(*tim)->failedLogins, 0); // nobody tried yet
+    const QString code = QString::fromStdString(
+        selectText(*reader(), "SELECT code FROM person_code WHERE person_id = ?", {*tim})->value_or(""));
+    QVERIFY2(QRegularExpression(QStringLiteral("^P-[A-HJ-NP-Z2-9]{8}$")).match(code).hasMatch(),
+             qPrintable(code));
     const auto self = accounts.login("tim", kPassword);
     REQUIRE(self);
     REQUIRE(accounts.changePassword(*self, kPassword, "another horse 8"));
@@ -207,6 +213,13 @@ void TestAuditEntries::codesTakeTheirBytesInTurn() {
                 QCOMPARE(code[letter] != plain[attempt][letter], byte / 2 == 3 * attempt + letter);
             }
         }
+    }
+    RowDigest known{};
+    known[0] = 1;
+    known[1] = 2;
+    QCOMPARE(codeFrom(known, 0)[0], 'G');            // 258 is 5 beyond a multiple of the 23 symbols
+    for (int attempt = 5; attempt < 40; ++attempt) { // further attempts stay within the digest
+        QCOMPARE(codeFrom(digest, attempt).size(), std::size_t{3});
     }
     std::set<char> letters; // all of them come
     for (int i = 0; i < 256; ++i) {

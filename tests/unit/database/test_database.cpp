@@ -4,6 +4,7 @@
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <atomic>
@@ -34,6 +35,8 @@ void TestDatabase::createsOpensAndKeepsItsIdentity() {
     REQUIRE(f.create());
     const std::string uuid = f.database->uuid();
     QCOMPARE(uuid.size(), std::size_t{36});
+    // A new file comes of no older one, of which a copy would be kept.
+    QVERIFY(QDir(f.folder.path()).entryList({QStringLiteral("*before*")}).isEmpty());
     QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
     REQUIRE(f.reopen());
     QCOMPARE(f.database->uuid(), uuid);

@@ -7,6 +7,8 @@
 #include "database/accounts/throttle.h"
 #include "database/accounts/user_csv.h"
 #include "database/privacy/erasure.h"
+#include "database/repositories/station_repository.h"
+#include "database/repositories/study_rules.h"
 
 #include <functional>
 #include <limits>
@@ -33,6 +35,8 @@ private slots:
     void ofPeople();
     void ofRosters();
     void ofWaits();
+    void ofStationChecks();
+    void ofWords();
 
 private:
     template <class F> auto session(F job) {
@@ -393,6 +397,48 @@ void TestLimits::ofWaits() {
     QCOMPARE(state.waitUntil_ns, 7 + 300 * second_ns);
     QCOMPARE(throttleRemaining_ns(state, {"boot", 7 + 299 * second_ns}), second_ns);
     QCOMPARE(throttleRemaining_ns(state, {"boot", 7 + 300 * second_ns}), std::int64_t{0});
+}
+
+void TestLimits::ofStationChecks() {
+    const auto checked = [&](const StationCheck& check) {
+        return m->database->write([&](WriteContext& w) {
+            return StationRepository(w.connection(), m_ruth).recordStationCheck(check);
+        });
+    };
+    const std::string longest(200, 'x'), longer(201, 'x');
+    taken(checked({longest, longest, longest, true, longest}), 1);
+    taken(checked({"loop", " ~", "1", false, ""}), 2); // the first and the last character that are plain
+    int row = 2;
+    for (const StationCheck& check : {StationCheck{"", "", "1", true, ""},
+                                      {"loop", "", "", true, ""},
+                                      {longer, "", "1", true, ""},
+                                      {"loop", longer, "1", true, ""},
+                                      {"loop", "", longer, true, ""},
+                                      {"loop", "", "1", true, longer},
+                                      {"loop", "a\x1f", "1", true, ""},
+                                      {"loop", "a\x7f", "1", true, ""}}) {
+        refused(checked(check), ++row);
+    }
+}
+
+// A state is known by its own word and by no other.
+void TestLimits::ofWords() {
+    for (const StudyState state :
+         {StudyState::draft, StudyState::frozen, StudyState::closed, StudyState::archived}) {
+        QVERIFY(studyStateFromToken(token(state)) == state);
+    }
+    for (const ParticipantState state : {ParticipantState::enrolled, ParticipantState::consented,
+                                         ParticipantState::completed, ParticipantState::withdrawn}) {
+        QVERIFY(participantStateFromToken(token(state)) == state);
+    }
+    for (const StudyRunState state :
+         {StudyRunState::open, StudyRunState::completed, StudyRunState::stopped}) {
+        QVERIFY(studyRunStateFromToken(token(state)) == state);
+    }
+    for (const char* word : {"", "Draft", "ended"}) {
+        QVERIFY(!studyStateFromToken(word) && !participantStateFromToken(word) &&
+                !studyRunStateFromToken(word));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestLimits)

@@ -234,6 +234,9 @@ void TestPrivacy::erasureLeavesNoTraceButTheTombstone() {
     QCOMPARE(erasures->front().reason, std::string("withdrew consent"));
     QVERIFY(erasures->front().recordingsWithdrawn);
     QVERIFY(!accounts.login("timotheus-unverwechselbar", kPassword));
+    QCOMPARE(
+        selectInteger(**reader, "SELECT enabled FROM person WHERE id = ?", {tim->personId()})->value_or(-1),
+        std::int64_t{0});
     QCOMPARE(storeSession(*f.database, *tim).error().code, core::ErrorCode::notAllowed);
     QCOMPARE(SessionReader(**reader, *ada).openChunks(*id).error().code, core::ErrorCode::notFound);
     const auto record = SessionReader(**reader, *ada).session(*id);

@@ -71,8 +71,9 @@ void TestRestore::restoreBringsBackAndKeepsTheOld() {
     REQUIRE(next);
     reader->reset();
     f.database.reset();
-    REQUIRE(Upkeep::restore(requestFor(f, f.path("backup")),
-                            f.options)); // a second time: the first kept file stays
+    const auto twice = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(twice); // a second time: the first kept file stays
+    QCOMPARE(twice->keptOldFile, info->keptOldFile + "-2");
     QCOMPARE(countIn(info->keptOldFile), std::int64_t{2});
 }
 

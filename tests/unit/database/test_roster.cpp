@@ -67,6 +67,8 @@ private slots:
     void otherFilesAreNamed();
     void faultsNameLineAndColumn();
     void badBytesNameTheirLine();
+    void bytesTellTheirEncoding_data();
+    void bytesTellTheirEncoding();
     void whoExistsIsSkippedOrUpdated();
     void anUpdateLeavesWhatTheListDoesNotSay();
     void rolesThatStayAreNotSetAgain();
@@ -205,6 +207,8 @@ void TestRoster::delimitersAreFoundBesideQuotedOnes_data() {
     QTest::newRow("sep= quoted") << "\"sep=,\"\nlogin name,full name,role\nanna,Anna,trainee\n" << ',';
     QTest::newRow("sep= against the text") << "sep=\t\nlogin name\tfull;name\trole\nanna\tAnna\ttrainee\n"
                                            << '\t';
+    QTest::newRow("sep= as a row of its table") << "sep=;;\nlogin name;full name;role\nanna;Anna;trainee\n"
+                                                << ';';
     QTest::newRow("headings that nobody knows") << "login name,x;y;z,role\nanna,1,trainee\n" << ',';
 }
 
@@ -314,7 +318,10 @@ void TestRoster::lineEndsAndEmptyRows() {
     QCOMPARE(roster.rows[0].displayName, std::string("Anna Bell"));
     QCOMPARE(roster.rows[1].line, 5);
     QCOMPARE(roster.rows[1].displayName, std::string("Bert of the hill"));
-    const Roster plain = readRoster("login name,role\nanna"); // a cell at the end is left out
+    const Roster late = readRoster("\r\nlogin name;role\r\nanna;trainee\r\n"); // the first line is empty
+    QVERIFY(late.problems.empty() && late.rows.size() == 1 && late.rows[0].line == 3);
+    QCOMPARE(readRoster("login name\nanna\n").delimiter, ','); // nothing is separated
+    const Roster plain = readRoster("login name,role\nanna");  // a cell at the end is left out
     QVERIFY(has(plain, RosterFault::roles, 2) && plain.rows.size() == 1);
     const Roster least = readRoster("login name,role\nanna,trainee");
     QVERIFY(least.problems.empty() && least.rows[0].displayName.empty() && least.rows[0].password.empty());
@@ -422,6 +429,56 @@ void TestRoster::badBytesNameTheirLine() {
     QCOMPARE(lineOf("login;name\nb;Γιώργος\nc;\xed\xa0\x80 Άννα\n"), 3); // half of a pair
     QCOMPARE(lineOf("\xff\xfe" + encoded("login;name\na;b", "UTF-16LE") + "c"), 2); // half a character
     QCOMPARE(lineOf("login;name\na;b\nc;\x81\xff\n"), 3);                           // in neither code page
+}
+
+void TestRoster::bytesTellTheirEncoding_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("told");
+    const auto row = [](const char* title, const QByteArray& bytes, const char* told) {
+        QTest::newRow(title) << bytes << QString::fromLatin1(told);
+    };
+    // The first and the last character of each length in UTF-8, and what is next to them and none.
+    row("first of two bytes", "a,\xc2\x80\n", "UTF-8");
+    row("last of two bytes", "a,\xdf\xbf\n", "UTF-8");
+    row("first of three bytes", "a,\xe0\xa0\x80\n", "UTF-8");
+    row("last before the surrogates", "a,\xed\x9f\xbf\n", "UTF-8");
+    row("last of three bytes", "a,\xef\xbf\xbf\n", "UTF-8");
+    row("first of four bytes", "a,\xf0\x90\x80\x80\n", "UTF-8");
+    row("last of four bytes", "a,\xf4\x8f\xbf\xbf\n", "UTF-8");
+    row("a continuation alone", "a,5 \x80\n", "Windows-1252"); // the euro
+    row("two bytes for one", "a,\xc1\xbf,b\n", "Windows-1252");
+    row("three bytes for two", "a,\xe0\x9f\xbf\n", "Windows-1252");
+    row("a surrogate", "a,\xed\xa0\x80\n", "Windows-1252");
+    row("four bytes for three", "a,\xf0\x8f\xbf\xbf\n", "damaged"); // in no code page either
+    row("beyond the last", "a,\xf4\x90\x80\x80\n", "damaged");
+    row("no first byte", "a,\xf5\x80\x80\x80\n", "Windows-1252");
+    // UTF-8 with faults in it, unless there are more of these than of other letters.
+    row("as many right as wrong", "a,\xc3\xbc,\xff\n", "damaged");
+    row("more wrong than right", "\xc3\xbc,J\xf6rg,M\xfcller\n", "Windows-1252");
+    // Greek words are of Greek letters alone, accents stand within words.
+    row("a Greek word of three letters", "a;\xb8\xf7\xf9\n", "Windows-1253");
+    row("a word and an accent", "x\xb8\xf7\xf9;n\xe9\n", "Windows-1253");
+    row("a word and two accents", "\xc4\xd6\xdc;Andr\xe9 Ren\xe9\n", "Windows-1252");
+    row("an initial", "a;\xd6.\n", "Windows-1252");
+    // UTF-16 without a mark: zero bytes are at least every tenth, and at least two.
+    const std::string greek = "αβγδεζηθικλμνξοπ";
+    row("enough zeros, LE", QByteArray::fromStdString(encoded(greek + ";\n;\n", "UTF-16LE")), "UTF-16");
+    row("enough zeros, BE", QByteArray::fromStdString(encoded(greek + ";\n;\n", "UTF-16BE")), "UTF-16");
+    row("too few zeros", QByteArray::fromStdString(encoded(greek + "ρ;\n;", "UTF-16LE")), "binary");
+    row("two zeros", QByteArray("a\0\n\0", 4), "UTF-16");
+    row("only a mark of UTF-16", "\xff\xfe", "UTF-16");
+    row("the end of an old text", "a,b\n\x1a", "UTF-8");
+}
+
+void TestRoster::bytesTellTheirEncoding() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, told);
+    const auto read = readTableText(bytes.toStdString());
+    const QString got = read ? QString::fromStdString(read->encoding)
+                        : read.error().kind == TextProblem::Kind::damaged ? QStringLiteral("damaged")
+                        : read.error().kind == TextProblem::Kind::binary  ? QStringLiteral("binary")
+                                                                          : QStringLiteral("another file");
+    QCOMPARE(got, told);
 }
 
 void TestRoster::whoExistsIsSkippedOrUpdated() {

@@ -457,8 +457,9 @@ void TestRowsBeside::aRunningSessionKeepsItsParticipantAlone() {
         REQUIRE(studies(
             [&](StudyRepository& s, Connection&) { return s.withdrawParticipant(each->who.id, false); }));
     AccountService accounts(*m->database);
-    QCOMPARE(accounts.eraseParticipant(m_admin, kPassword, first.who.id, "wish").error().code,
-             core::ErrorCode::wrongUse);
+    const auto early = accounts.eraseParticipant(m_admin, kPassword, first.who.id, "wish");
+    QCOMPARE(early.error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(early.error().message, std::string("a session of this participant has not ended yet"));
     REQUIRE(accounts.eraseParticipant(m_admin, kPassword, second.who.id, "wish"));
     REQUIRE(sessions([&](SessionRepository& s) {
         return s.finishSession(*running, {SessionState::stopped, 1, 1, 0, "{}"});
@@ -590,6 +591,15 @@ void TestRowsBeside::aTrialIsOfTheDeviceOfItsSession() {
         REQUIRE(studies([&](StudyRepository& s, Connection&) {
             return s.storeStudyTrial(someTrial(made->run, i + 1, of[order[static_cast<std::size_t>(i)]]));
         }));
+    const auto qualities =
+        StudyReader(*reader(), m_ruth).trialQuality(made->frozen); // of a blinded study, too
+    REQUIRE(qualities);
+    for (const ParticipantQuality& quality : *qualities) {
+        const bool running = quality.participant == made->running;
+        QCOMPARE(QString::fromStdString(quality.device),
+                 running ? QStringLiteral("first, second, third") : QString());
+        QVERIFY(running ? quality.felt == false : !quality.felt); // one trial of it was only shown
+    }
     REQUIRE(studies(
         [&](StudyRepository& s, Connection&) { return s.unblindStudy(made->frozen, "all are done"); }));
     const auto trials = StudyReader(*reader(), m_ruth).studyTrials(made->run);

@@ -25,6 +25,7 @@ private slots:
     void listsChooseWhatIsAsked();
     void scoresComeBackBitForBit();
     void scoresAreNamedByTheirSeal();
+    void scoresOfTrialsThatAreNotThereAreDamage();
     void contentIsSharedAndHashed();
     void endedSessionsAreClosed();
     void voidedAndArchivedStay();
@@ -332,6 +333,34 @@ void TestSessions::scoresAreNamedByTheirSeal() {
     REQUIRE(latest);
     QVERIFY(*latest == seals[2]);
     QCOMPARE(scores.scoreSeal(*id, 4).error().code, core::ErrorCode::notFound);
+}
+
+// A set says how many trials it is of; a score of another one is none of it.
+void TestSessions::scoresOfTrialsThatAreNotThereAreDamage() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto id = storeSession(*f.database, Actor::simulated());
+    REQUIRE(id);
+    const auto scoresOf = [&](int trials) {
+        auto reader = f.database->openReader();
+        const auto changed = f.database->write([&](WriteContext& w) {
+            const auto triggers =
+                selectText(w.connection(), "SELECT group_concat('DROP TRIGGER ' || name, ';') FROM "
+                                           "sqlite_schema WHERE type = 'trigger' AND tbl_name = 'score_set'");
+            return w.connection().execute(triggers.value().value_or("") +
+                                          ";UPDATE score_set SET trials = " + std::to_string(trials));
+        });
+        return changed ? ScoreRepository(**reader, Actor::anonymous()).scores(*id)
+                       : tl::unexpected(changed.error());
+    };
+    for (const int fewer : {0, 1}) {
+        const auto refused = scoresOf(fewer);
+        QVERIFY(!refused);
+        QVERIFY2(refused.error().message.find("are damaged; run verify") != std::string::npos,
+                 refused.error().message.c_str());
+    }
+    REQUIRE(scoresOf(2));
+    QCOMPARE(scoresOf(2)->trials.size(), std::size_t{2});
 }
 
 void TestSessions::contentIsSharedAndHashed() {
@@ -748,7 +777,7 @@ void TestSessions::aLineIsOfItsSession() {
                     once = storeSession(*f.database, *tim, 1).value_or(0);
     scoring::ScoreCard worse = someCard();
     worse.passed = false;
-    worse.metrics[1] = {"time", 1, "s", 2.0, "", false};
+    worse.metrics[1] = {"time", 1, "s", 2.0, "", true};
     worse.metrics.push_back({"force_max", 1, "N", 3.0, "", false});
     REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
         auto good = drop(ScoreRepository(w.connection(), Actor::maintenance()).storeScores(again, worse));
@@ -765,7 +794,7 @@ void TestSessions::aLineIsOfItsSession() {
     for (const SessionSummary& line : {listed->at(0), sessions.session(again)->summary}) {
         QCOMPARE(line.id, again);
         QCOMPARE(line.passed, std::optional(false));
-        QVERIFY(line.gates == 3 && line.gatesMet == 1);
+        QVERIFY(line.gates == 3 && line.gatesMet == 2);
         QVERIFY(line.comments == 2 && line.reviewed);
     }
     for (const SessionSummary& line : {listed->at(1), sessions.session(once)->summary}) {

@@ -286,6 +286,7 @@ void TestStudyRuns::trialsFollowOnAndStay() {
     };
     const core::ErrorCode bad = core::ErrorCode::badInput;
     QCOMPARE(with([](StudyTrial& t) { t.ordinal = 2; }), bad);
+    QCOMPARE(store(someTrial(*run, 2)).error().message, std::string("trial 2: expected 1, the run's next"));
     QCOMPARE(with([](StudyTrial& t) { t.ordinal = 0; }), bad);
     QCOMPARE(with([](StudyTrial& t) { t.difference = std::nan(""); }), bad);
     QCOMPARE(with([](StudyTrial& t) { t.value = std::numeric_limits<double>::infinity(); }), bad);

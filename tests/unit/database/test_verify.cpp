@@ -199,7 +199,7 @@ void TestVerify::rowChangedWithItsDigestIsFound() {
 }
 
 void TestVerify::rowAddedWithItsDigestIsFound() {
-    // The same somebody adds an administrator of his own, and better scores to a session.
+    // The same somebody adds an administrator of his own, a decision on a session, and better scores to it.
     const std::string copy = damagedCopy("");
     QVERIFY(!copy.empty());
     {
@@ -214,6 +214,14 @@ void TestVerify::rowAddedWithItsDigestIsFound() {
                            {"roles", std::string("admin")},
                            {"enabled", std::int64_t{1}},
                            {"created_utc", std::string("2026-01-01T00:00:00.000Z")}}));
+        REQUIRE(insertRow(**connection, "session_decision",
+                          {{"id", std::int64_t{79}},
+                           {"session_id", std::int64_t{1}},
+                           {"decision", std::string("void")},
+                           {"person_id", std::int64_t{2}},
+                           {"utc", std::string("2026-01-01T00:00:00.000Z")},
+                           {"reason", std::string("no reason")},
+                           {"reason_hash", toBlob(textDigest("no reason"))}}));
         const std::vector<std::uint8_t> empty(8, 0); // a seal over no scores: their number
         REQUIRE(insertRow(**connection, "score_set",
                           {{"id", std::int64_t{78}},
@@ -230,8 +238,9 @@ void TestVerify::rowAddedWithItsDigestIsFound() {
     const VerifyReport report = verifyDatabase(copy, options);
     QVERIFY(has(report, "audit", "person", "id=77"));
     QVERIFY(has(report, "audit", "score_set", "id=78"));
+    QVERIFY(has(report, "audit", "session_decision", "id=79")); // the newest of the tables, too
     QVERIFY(!has(report, "audit", "person", "id=1"));
-    QCOMPARE(report.findings.size(), std::size_t{2}); // nothing else tells
+    QCOMPARE(report.findings.size(), std::size_t{3}); // nothing else tells
 }
 
 void TestVerify::auditEditGapReorderSpliceTruncation_data() {
@@ -263,7 +272,13 @@ void TestVerify::auditEditGapReorderSpliceTruncation() {
     options.siteFolder = m.path() + ".site";
     const std::string copy = damagedCopy(sql.toStdString());
     QVERIFY(!copy.empty());
-    QVERIFY(has(verifyDatabase(copy, options), "audit", "audit"));
+    const VerifyReport report = verifyDatabase(copy, options);
+    QVERIFY(has(report, "audit", "audit"));
+    if (QLatin1String(QTest::currentDataTag()) == QLatin1String("gap")) {
+        QVERIFY(std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
+            return f.row == "sequence=5" && f.detail.ends_with("expected sequence 4");
+        }));
+    }
 }
 
 void TestVerify::forgedHeadIsFound() {

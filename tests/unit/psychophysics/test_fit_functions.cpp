@@ -38,6 +38,7 @@ private slots:
     void equalAsymptotes();
     void conditionsCompared();
     void curveHasABand();
+    void twentyDrawsAreTheFewest();
     void aStepLiesBetweenItsLevels();
     void guessReachesAHalf();
 };
@@ -272,6 +273,23 @@ void TestFitFunctions::curveHasABand() {
     const FitInterval drawn = intervalOf(fit, [](const CurveParameters& at) { return at.threshold; });
     QVERIFY(close(drawn.low, fit.ci.threshold.low, 0.15 * fit.error.threshold * 2.0));
     QVERIFY(close(drawn.high, fit.ci.threshold.high, 0.15 * fit.error.threshold * 2.0));
+}
+
+/// Of the draws 0 to 19 the middle 95 % reach from 0.025 to 0.975 of 19; of one fewer nothing is said.
+void TestFitFunctions::twentyDrawsAreTheFewest() {
+    FitResult fit;
+    fit.confidence = 0.95;
+    for (int i = 19; i >= 0; --i) {
+        CurveParameters draw;
+        draw.threshold = i;
+        fit.draws.push_back(draw);
+    }
+    const auto threshold = [](const CurveParameters& at) { return at.threshold; };
+    const FitInterval twenty = intervalOf(fit, threshold);
+    QVERIFY(close(twenty.low, 0.475, 1e-12) && close(twenty.high, 18.525, 1e-12));
+    fit.draws.back().threshold = std::nan("");
+    const FitInterval fewer = intervalOf(fit, threshold);
+    QVERIFY(std::isnan(fewer.low) && std::isnan(fewer.high));
 }
 
 /// A step between two intensities is put between them, whichever end is which.

@@ -38,6 +38,9 @@ void TestObserversDesigns::observerText() {
     const auto trainee = parseObserver("operator:expert");
     QVERIFY(trainee && trainee->trainee == "expert");
     QCOMPARE(parseObserver(chiron::psychophysics::observerText(*trainee))->trainee, trainee->trainee);
+    const std::string longest(32, 'z');
+    QVERIFY(parseObserver("operator:" + longest) && parseObserver("operator:a_z")->trainee == "a_z");
+    QVERIFY(!parseObserver("operator:z" + longest));
     for (const char* wrong : {"operator:", "operator:two words", "operator:expert,operator:novice"})
         QVERIFY2(!parseObserver(wrong), wrong);
     for (const char* wrong : {"", "weber", "weber:", "weber:x", "weber:0", "weber:-1", "lapse:1.5",

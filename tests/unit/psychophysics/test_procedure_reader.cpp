@@ -163,6 +163,9 @@ void TestProcedureReader::faults_data() {
     add("grid",
         R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})",
         "$.stimuli[0].step");
+    add("grid of more than a million",
+        R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 0, "to": 1e6, "step": 1}], "parameters": []})",
+        "$.stimuli[0].step: 1: expected a step above 0");
     add("target at the lower asymptote", R"({"kind": "quest", "target": 0.5})",
         "$.target: 0.5: expected a proportion above guess, 0.5, and below 1 - lapse (1 - guess), 0.995");
     add("target at the upper asymptote", R"({"kind": "quest", "target": 0.995})",

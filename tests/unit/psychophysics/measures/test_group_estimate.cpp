@@ -45,6 +45,7 @@ private slots:
     void thresholdModels();
     void degenerate();
     void modulusEqualised();
+    void threeSubjectsAreEnough();
     void sealedAnswersAreNoAnswersWithoutAValue();
 };
 
@@ -234,6 +235,12 @@ void TestGroupEstimate::degenerate() {
     RunEstimate infinite = runOf(-1.0, 0.1);
     infinite.weber = infinite.weber95.high = HUGE_VAL;
     QVERIFY(estimateGroup({infinite, infinite}, 1).participants == 0);
+    std::vector<RunEstimate> few;
+    for (int i = 0; i < 5; ++i)
+        few.push_back(runOf(-1.0 - 0.02 * i, 0.1));
+    QVERIFY(warns(estimateGroup(few, 1).warnings, "few_participants"));
+    few.push_back(runOf(-1.1, 0.1)); // six are enough
+    QVERIFY(!warns(estimateGroup(few, 1).warnings, "few_participants"));
     const GroupEstimate same = estimateGroup({runOf(-1.0, 0.1), runOf(-1.0, 0.1), runOf(-1.0, 0.1)}, 1);
     QVERIFY(std::abs(same.bootstrap95.low - 0.1) < 1e-9 && same.sdBetweenLog10 == 0.0);
 }
@@ -264,6 +271,20 @@ void TestGroupEstimate::modulusEqualised() {
             settings.warnings[1].kind == WarningKind::fewSettings);
     QVERIFY(summariseSettings(10.0, {10.0, 11.0, 9.0, 10.5, 9.5}).warnings.empty()); // none was left out
     QVERIFY(std::isnan(summariseSettings(0.0, {1.0}).pse) && std::isnan(summariseSettings(1.0, {}).pse));
+}
+
+/// Of one and of two the spread between people is hardly known; of three it is told.
+void TestGroupEstimate::threeSubjectsAreEnough() {
+    std::vector<MagnitudeAnswer> answers;
+    for (int subject = 0; subject < 3; ++subject) {
+        for (const double stimulus : {1.0, 2.0, 4.0})
+            answers.push_back({subject, stimulus, std::pow(stimulus, 0.8 + 0.1 * subject)});
+        const std::vector<Warning> warnings = magnitudeScale(answers).warnings;
+        const auto few =
+            std::find(warnings.begin(), warnings.end(), Warning{WarningKind::fewSubjects, subject + 1});
+        QCOMPARE(few != warnings.end(), subject < 2);
+        QCOMPARE(warnings.size(), subject < 2 ? 1U : 0U);
+    }
 }
 
 void TestGroupEstimate::sealedAnswersAreNoAnswersWithoutAValue() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/measures/run_warnings.h"
 
+#include "psychophysics/measures/scored_answers.h"
 #include "psychophysics/study/arrangement.h"
 
 #include <QtTest>
@@ -105,6 +106,23 @@ private slots:
         answers.used = answers.right = 0; // nothing more is said of nothing
         answers.leftOut = 7;
         QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {leftOutTrials, noTrials}));
+    }
+    /// 256 differences are told one by one; one more, and neighbours are put together.
+    void manyDifferences() {
+        std::vector<ScoredTrial> trials;
+        for (int i = 1; i <= 256; ++i) {
+            ScoredTrial trial;
+            trial.answer = correctAnswer(Task::twoAfc, trial.arrangement);
+            trial.difference = 0.001 * i;
+            trials.push_back(trial);
+        }
+        const ScoredAnswers each = sortAnswers(Task::twoAfc, trials);
+        QVERIFY(!each.binned && each.levels == 256 && each.points.size() == 256U);
+        trials.push_back(trials.back());
+        trials.back().difference = 0.5;
+        const ScoredAnswers pairs = sortAnswers(Task::twoAfc, trials);
+        QVERIFY(pairs.binned && pairs.used == 257 && pairs.levels == 129 && pairs.largestDifference == 0.5);
+        QVERIFY(std::abs(pairs.smallestDifference - 0.0015) < 1e-12); // the mean of the first two
     }
     /// Right answers of 20 from which on guessing is refuted (P of as many or more below 0.05, summed by
     /// hand: 0.0207, 0.0376, 0.0371; one fewer 0.0577, 0.0919, 0.1018).
