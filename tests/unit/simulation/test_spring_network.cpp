@@ -73,6 +73,7 @@ private slots:
     void asManyAsThereMayBeAreTheSameInAnyOrder();
     void givesTheSameBitsAgain();
     void refusesWhatIsNoNetwork();
+    void everyParameterHasItsRange();
     void aStepIsFarBelowTenMilliseconds();
 };
 
@@ -302,6 +303,39 @@ void TestSpringNetwork::refusesWhatIsNoNetwork() {
                     "triangle 5"));
     const std::vector<MeshTriangle> none;
     QVERIFY(!SpringNetwork::create({of.shape.vertices, none}, of.anchored, of.apex, {}));
+}
+
+/// The ranges that spring_network.h states: their ends are taken, what is beyond is named with them.
+void TestSpringNetwork::everyParameterHasItsRange() {
+    const Dome of = dome(0.003);
+    struct Range {
+        const char* name;
+        double SpringNetworkParameters::*value;
+        double low, high;
+    };
+    using P = SpringNetworkParameters;
+    for (const Range& range :
+         {Range{"stiffness_N_per_m", &P::stiffness_N_per_m, 20.0, 5000.0},
+          Range{"spread_m", &P::spread_m, 0.001, 0.030}, Range{"mass_kg", &P::mass_kg, 0.001, 1.0},
+          Range{"recoveryTime_s", &P::recoveryTime_s, 0.0, 2.0},
+          Range{"volumeKeeping", &P::volumeKeeping, 0.0, 0.95},
+          Range{"deepest_m", &P::deepest_m, 0.001, 0.030}, Range{"step_s", &P::step_s, 0.010, 0.050}}) {
+        const auto made = [&](double value) {
+            P p;
+            p.*range.value = value;
+            const auto net =
+                SpringNetwork::create({of.shape.vertices, of.shape.triangles}, of.anchored, of.apex, p);
+            return net ? QString() : QString::fromStdString(net.error().message);
+        };
+        QCOMPARE(made(range.low), QString());
+        QCOMPARE(made(range.high), QString());
+        for (const double beyond : {range.low - 1e-4, 1.0001 * range.high})
+            QCOMPARE(made(beyond), QStringLiteral("deformable organ: %1 is %2, expected %3 to %4")
+                                       .arg(QLatin1String(range.name))
+                                       .arg(beyond, 0, 'f', 6)
+                                       .arg(range.low, 0, 'f', 6)
+                                       .arg(range.high, 0, 'f', 6));
+    }
 }
 
 void TestSpringNetwork::aStepIsFarBelowTenMilliseconds() {
