@@ -65,6 +65,7 @@ class TestSpringNetwork : public QObject {
 private slots:
     void aLastingPressFeelsBothSpringsInSeries_data();
     void aLastingPressFeelsBothSpringsInSeries();
+    void everyFreeVertexGivesWay();
     void theVolumeThatIsKeptBulgesOut();
     void energyOnlyFallsWhenNobodyPresses();
     void recoversWithItsTimeConstant();
@@ -105,6 +106,35 @@ void TestSpringNetwork::aLastingPressFeelsBothSpringsInSeries() {
         const double givesWay = -net->displacement(of.apex).z();
         QVERIFY(std::abs(givesWay - series / organ) < 1e-6 * series / organ);
     }
+}
+
+/// A press on one vertex moves it inwards, whichever it is; an anchored one stays where it is.
+void TestSpringNetwork::everyFreeVertexGivesWay() {
+    const Dome of = dome(0.003);
+    const auto net = network(of);
+    QVERIFY(net);
+    std::vector<bool> pressed(of.shape.vertices.size(), false);
+    for (std::uint32_t t = 0; t < of.shape.triangles.size(); ++t)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = of.shape.triangles[t][corner];
+            if (pressed[vertex])
+                continue;
+            pressed[vertex] = true;
+            NetworkPush push;
+            push.triangle = t;
+            push.weights = {0.0, 0.0, 0.0};
+            push.weights[corner] = 1.0;
+            push.p_Tool = of.shape.vertices[vertex] - 0.002 * push.normal;
+            net->reset();
+            const double pushed_N = net->step(std::span(&push, 1))[0];
+            const double inwards_m = -push.normal.dot(net->displacement(vertex));
+            if (of.anchored[vertex])
+                QCOMPARE(inwards_m, 0.0);
+            else
+                QVERIFY2(
+                    pushed_N > 0.0 && inwards_m > 0.0 && inwards_m < 0.002,
+                    qPrintable(QString("vertex %1: %2 N, %3 m").arg(vertex).arg(pushed_N).arg(inwards_m)));
+        }
 }
 
 void TestSpringNetwork::theVolumeThatIsKeptBulgesOut() {
