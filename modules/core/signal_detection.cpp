@@ -29,7 +29,7 @@ double correctedRate(int yes, int of) noexcept {
 double rateOf(int yes, int of, RateCorrection correction) noexcept {
     if (correction == RateCorrection::logLinear)
         return correctedRate(yes, of);
-    return of > 0 ? static_cast<double>(yes) / of : std::numeric_limits<double>::quiet_NaN();
+    return static_cast<double>(yes) / of;
 }
 
 double dPrime(double hitRate, double falseAlarmRate) noexcept {
@@ -62,10 +62,7 @@ DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level,
 }
 
 DetectionRates weightedRates(const DetectionCounts& n) noexcept {
-    const int all = n.ofSignal + n.ofNoise;
-    if (all <= 0)
-        return {};
-    const double p = static_cast<double>(n.ofSignal) / all, q = 1.0 - p;
+    const double p = static_cast<double>(n.ofSignal) / (n.ofSignal + n.ofNoise), q = 1.0 - p;
     DetectionRates rates;
     if (n.ofSignal > 0)
         rates.hit = (n.hits + p) / (n.ofSignal + 2.0 * p);

@@ -21,7 +21,7 @@ FingertipForceSensors::FingertipForceSensors(const FingertipForceSensorParameter
 void FingertipForceSensors::reset() noexcept {
     m_random = core::Random::stream(m_seed, "fingertip/force");
     m_line.fill(0.0);
-    m_now = m_until = 0;
+    m_until = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         Sensor& s = m_sensor[i];
         s = {};

@@ -26,7 +26,6 @@ void Hand::reset(const Vec3& p_D, const core::Quat& q_D) noexcept {
     stay.q_DDesired = q_D;
     m_line.fill(stay);
     m_acting = stay;
-    m_next = 0;
     m_tremor = tremorFromStart();
     m_tremorForce = Vec3::Zero();
     m_p = p_D;

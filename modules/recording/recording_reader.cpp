@@ -75,9 +75,9 @@ core::Result<std::uint64_t> RecordingReader::lastTickOf(const Chunk& chunk) {
     const auto channel = table().find(kNoTool, "tick");
     if (!channel)
         return chunk.firstTick + (chunk.frames - 1);
-    m_ticks.clear();
-    CHIRON_TRY(m_decoder.decodeChannel(chunk, *channel, m_ticks));
-    return static_cast<std::uint64_t>(m_ticks.back());
+    std::vector<std::int64_t> ticks;
+    CHIRON_TRY(m_decoder.decodeChannel(chunk, *channel, ticks));
+    return static_cast<std::uint64_t>(ticks.back());
 }
 
 core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick) {

@@ -58,7 +58,6 @@ private:
     ChunkSource* m_source;
     ChunkDecoder m_decoder;
     std::vector<bool> m_checked; ///< per chunk: its digest was found correct
-    std::vector<std::int64_t> m_ticks;
 };
 
 } // namespace chiron::recording

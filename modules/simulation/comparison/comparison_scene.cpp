@@ -80,7 +80,6 @@ void ComparisonScene::run(SceneOutput& out) noexcept {
 }
 
 void ComparisonScene::leave() noexcept {
-    m_answering = false;
     for (ComparedObject& object : m_objects)
         object.clear();
 }

@@ -121,6 +121,9 @@ void TestSignalDetection::whoFeelsNothingHasNone() {
         QVERIFY(isNear(weightedDPrimeInterval(equal).low, dPrimeInterval(equal).low, 1e-12));
     }
     QCOMPARE(weightedDPrime(DetectionCounts{}), 0.0);
+    QVERIFY(std::isnan(rateOf(0, 0, RateCorrection::none)));
+    QCOMPARE(weightedRates({0, 0, 3, 10}).hit, 0.5); // of what nobody was asked
+    QCOMPARE(weightedRates({3, 10, 0, 0}).falseAlarm, 0.5);
 }
 
 /// By hand with H = 20.5/26 and F = 10.5/26: φ(z(H)) = 0.289438, φ(z(F)) = 0.387298; var =
@@ -138,7 +141,12 @@ void TestSignalDetection::standardErrorByHand() {
     const auto interval = dPrimeInterval(faces);
     QVERIFY(isNear(0.5 * (interval.low + interval.high), dPrime(faces), 1e-12));
     QVERIFY(isNear(interval.high - interval.low, 2.0 * 1.959964 * dPrimeStandardError(faces), 1e-6));
-    QVERIFY(std::isinf(dPrimeStandardError({0, 0, 1, 20})));
+    for (const RateCorrection correction : {RateCorrection::logLinear, RateCorrection::none}) {
+        QVERIFY(std::isinf(dPrimeStandardError({0, 0, 1, 20}, correction))); // nothing of one kind was asked
+        QVERIFY(std::isinf(dPrimeStandardError({1, 20, 0, 0}, correction)));
+    }
+    QVERIFY(std::isfinite(dPrimeStandardError({0, 1, 1, 20}))); // one is not nothing
+    QVERIFY(std::isnan(dPrimeStandardError({0, 20, 1, 20}, RateCorrection::none)));
 }
 
 /// 2,000 made-up observers of d′ = 1 with 60 signals and 60 noises: the 95 % interval holds the truth in

@@ -24,15 +24,17 @@ void TestRotationRates::isTheIntegralOfTheRotations_data() {
 void TestRotationRates::isTheIntegralOfTheRotations() {
     QFETCH(double, angle);
     const core::Vec3 axis = core::Vec3(0.3, -0.5, 0.8).normalized();
-    core::Mat3 sum = core::Mat3::Zero(); // Simpson's rule
-    constexpr int kSteps = 400;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double weight = i == 0 || i == kSteps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-        sum += weight * Eigen::AngleAxisd(angle * i / kSteps, axis).toRotationMatrix();
+    core::Mat3 sum = core::Mat3::Zero();      // Simpson's rule
+    const int steps = angle > 0.01 ? 400 : 4; // more would add up what is rounded
+    for (int i = 0; i <= steps; ++i) {
+        const double weight = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+        sum += weight * Eigen::AngleAxisd(angle * i / steps, axis).toRotationMatrix();
     }
-    const core::Mat3 expected = sum / (3.0 * kSteps);
+    const core::Mat3 expected = sum / (3.0 * steps);
     const double worst = (devices::leftJacobian(angle * axis) - expected).cwiseAbs().maxCoeff();
-    QVERIFY2(worst < 5e-11, qPrintable(QString::number(worst)));
+    // Below where the series takes over nothing is cancelled; above, 1 - cos loses half of its digits.
+    const double most = angle < 1e-4 ? 2e-15 : angle < 0.01 ? 2e-11 : 5e-11;
+    QVERIFY2(worst < most, qPrintable(QString::number(worst)));
 }
 
 QTEST_GUILESS_MAIN(TestRotationRates)

@@ -90,6 +90,7 @@ private slots:
         QCOMPARE(codeOf(answered({.mass_kg = 1e9, .resolution_m = 1e-6})),
                  core::ErrorCode::doesNotHold); // clamped
         QCOMPARE(codeOf(answered({.bursts = 2})), core::ErrorCode::badInput);
+        QCOMPARE(codeOf(answered({.noise_m = 1e-6, .bursts = 3})), core::ErrorCode::cancelled); // enough
         QCOMPARE(codeOf(DelayRecord{}), core::ErrorCode::badInput);
         QCOMPARE(codeOf(answered({.noise_m = std::nan("")})), core::ErrorCode::badInput);
     }
@@ -112,6 +113,26 @@ private slots:
         record.force(1.0, false);
         QCOMPARE(record.places, places);
         QCOMPARE(record.forces, places);
+    }
+    /// Room that is set aside again holds nothing of what was measured before.
+    void aRecordBeginsAnew() {
+        DelayRecord record = answered({.bursts = 3});
+        record.broken[1] = 1;
+        record.damped = 7;
+        record.reserve(4);
+        QCOMPARE(record.places, std::size_t{0});
+        QCOMPARE(record.forces, std::size_t{0});
+        QCOMPARE(record.damped, 0);
+        QCOMPARE(record.broken, std::vector<std::uint8_t>(4, 0));
+        QCOMPARE(codeOf(record), core::ErrorCode::badInput); // nothing was measured yet
+        const auto full = answered({.delay_s = 0.001, .noise_m = 1e-6, .bursts = 4});
+        for (std::size_t n = 0; n < full.places; ++n) {
+            record.place(full.place_m[n]);
+            record.force(full.force_N[n], true);
+        }
+        const auto found = haptics::estimateDelay(record);
+        QVERIFY2(found, found ? "" : found.error().message.c_str());
+        QCOMPARE(found->bursts, 4);
     }
 };
 

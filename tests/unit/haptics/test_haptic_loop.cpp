@@ -88,6 +88,28 @@ private slots:
         QCOMPARE(bench.loop->display().latest().skippedDeadlines, 2u);
     }
 
+    void theScreenIsToldEveryQuarterOfASecond() {
+        BenchDevice device(highPath);
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{device, {}}}, inputs, store, apexScene());
+        const auto time = [&](int ticks) {
+            for (int n = 0; n < ticks; ++n)
+                bench.loop->timing({150'000, 90'000, 0});
+        };
+        haptics::LoopStatistics told;
+        time(255);
+        QVERIFY(!bench.loop->statisticsTap().read(told));
+        time(1);
+        QVERIFY(bench.loop->statisticsTap().read(told));
+        QCOMPARE(told.ticks(), 256u);
+        QCOMPARE(told.late(), 256u);
+        time(255);
+        QVERIFY(!bench.loop->statisticsTap().read(told));
+        time(1);
+        QCOMPARE(bench.loop->statisticsTap().latest().ticks(), 512u);
+    }
+
     void twoToolsEachInItsOwnFrame() {
         BenchDevice right(highPath);
         BenchDevice left(highPath);

@@ -228,6 +228,8 @@ void TestKeptLoop::aLoopIsAsItWasKept() {
     tests::LoopBench bench({{**gimbal, gimbalSet.mapping}, {**scope, {}}, {shown, {}}}, inputs, frames,
                            std::make_unique<TalkingScene>(), safety);
     NumberLines lines;
+    lines.add(
+        lineOf(QStringLiteral("shown before the first tick:"), numbersOf(bench.loop->display().latest())));
     realtime::TickSource source;
     std::vector<double> sums;
     bool goesOn = true;

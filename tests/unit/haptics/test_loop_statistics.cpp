@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 using chiron::haptics::LatencyHistogram;
@@ -32,6 +33,20 @@ private slots:
         QCOMPARE(h.percentile_us(0.5), 0.009);
         QCOMPARE(h.percentile_us(1.0), 0.019);
         QCOMPARE(h.percentile_us(0.0), 0.0);
+    }
+
+    /// From 32 ns on a bucket is a sixteenth of a power of two wide; its upper edge is told.
+    void largerValuesAreToldByTheirBucketsEnd() {
+        for (const auto& [value, end] :
+             {std::pair{31, 31}, std::pair{32, 33}, std::pair{33, 33}, std::pair{34, 35}, std::pair{63, 63},
+              std::pair{64, 67}, std::pair{67, 67}, std::pair{68, 71}, std::pair{1000, 1023}}) {
+            LatencyHistogram h;
+            h.add(value);
+            h.add(1'000'000);
+            QCOMPARE(h.percentile_us(0.5), end * 1e-3);
+            QCOMPARE(h.countUpTo(end), 1u);
+            QCOMPARE(h.countUpTo(end - 1), 0u);
+        }
     }
 
     /// Against sorting: never below the true percentile, never more than one bucket (6.25 %) above.

@@ -78,6 +78,7 @@ private slots:
     void contactEndClearsTheBooks();
     void whatASofterBodySparesIsNotWithheld();
     void rubbishEnergyDoesNoHarm();
+    void configuredAgainItIsAsNew();
 };
 
 void TestSafetyPassivity::observerBooksTheWorkOfTheHeldWrench() {
@@ -355,6 +356,33 @@ void TestSafetyPassivity::rubbishEnergyDoesNoHarm() {
         rig->ticks(3);
         QCOMPARE(rig->force(), Vec3(1, 0, 0));
     }
+}
+
+/// A supervisor that is configured again is as one that has never run: no packet seen, no fault latched, no
+/// energy booked.
+void TestSafetyPassivity::configuredAgainItIsAsNew() {
+    const devices::DeviceDescriptor device = sixAxisDevice(20.0);
+    const test::CartesianKinematics kinematics;
+    std::vector<haptics::SafetyTool> tools;
+    tools.push_back({device, kinematics, {}});
+    const auto used = freshRig(0);
+    used->ask(Vec3(0.5, 0, 0));
+    used->scene.storedEnergy_J = 1.0; // claims a joule that nobody put in
+    used->states.tools[0].v_WT = Vec3(0.5, 0, 0);
+    used->ticks(100);
+    QVERIFY(used->out.energyWithheld_J > 0.0 && used->out.energyKept_J > 0.0);
+    used->states.tools[0].v_WT = Vec3(50.0, 0, 0);
+    used->tick();
+    QCOMPARE(used->out.force, core::ForceState::fault);
+    QVERIFY(used->supervisor.configure({}, tools));
+    used->samples = {}; // another device counts its packets from 1
+    used->states.tools[0] = {};
+    used->scene.storedEnergy_J = 0.0;
+    used->arm();
+    QCOMPARE(used->out.force, core::ForceState::on);
+    QCOMPARE(used->out.guards, 0u);
+    QCOMPARE(used->out.energyWithheld_J, 0.0);
+    QCOMPARE(used->out.energyKept_J, 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestSafetyPassivity)

@@ -82,11 +82,13 @@ private slots:
     void encodersSayWhereThePadIs();
     void encodersHaveTheirResolution();
     void imuReadsAtItsRates();
+    void imuTakesNoPeriodForEveryTick();
     void imuFollowsTheHandleWithinItsErrors();
     void theLeverFollowsTheFingers();
     void theApparentMassIsThatOfAPush();
     void theVerificationHolds();
     void theVerificationNoticesAWorseArm();
+    void everyFigureOfTheVerificationHasItsBound();
     void theVerificationRefusesSettingsOutOfRange();
     void sameSeedSameBits();
 };
@@ -358,6 +360,34 @@ void TestFingertipArm::imuReadsAtItsRates() {
     QCOMPARE(accelerations, 100); // 100 Hz
 }
 
+/// A period of no tick is that of every tick, for each of the three readings.
+void TestFingertipArm::imuTakesNoPeriodForEveryTick() {
+    using mechanisms::AttitudeSensor;
+    const auto sensor = [](int gyro, int tilt, int heading) {
+        mechanisms::AttitudeSensorParameters p;
+        p.gyroPeriod_ticks = gyro;
+        p.tiltPeriod_ticks = tilt;
+        p.headingPeriod_ticks = heading;
+        return AttitudeSensor(p, 7);
+    };
+    const auto differs = [](AttitudeSensor a, AttitudeSensor b) {
+        bool differs = false;
+        for (int n = 0; n < 200; ++n) {
+            const Quat q = mechanisms::turned(Quat::Identity(), {0.002 * n, 0.0, 0.001 * n});
+            for (AttitudeSensor* one : {&a, &b})
+                one->tick(q, {2.0, 0.0, 1.0}, {0.1, 0.0, -0.2});
+            differs = differs || a.counts() != b.counts() || a.attitude().coeffs() != b.attitude().coeffs() ||
+                      a.rate_T() != b.rate_T() || a.acceleration_T() != b.acceleration_T();
+        }
+        return differs;
+    };
+    const AttitudeSensor every = sensor(1, 1, 1);
+    QVERIFY(!differs(every, sensor(0, 1, 1)) && !differs(every, sensor(1, 0, 1)) &&
+            !differs(every, sensor(1, 1, 0)));
+    QVERIFY(differs(every, sensor(2, 1, 1)) && differs(every, sensor(1, 2, 1)) &&
+            differs(every, sensor(1, 1, 2)));
+}
+
 void TestFingertipArm::imuFollowsTheHandleWithinItsErrors() {
     // Without errors it is exact but for the step and the count; with them within a degree, over two minutes
     // of turning and shaking.
@@ -490,6 +520,34 @@ void TestFingertipArm::theVerificationNoticesAWorseArm() {
     other.drags.back().felt_N = std::nan("");
     QVERIFY(std::isnan(other.frictionError()) && !other.holds());
     QVERIFY(!mechanisms::FingertipArmVerification{}.holds());
+}
+
+/// Each figure decides alone, at the bound that is stated for it, whatever the others are.
+void TestFingertipArm::everyFigureOfTheVerificationHasItsBound() {
+    using V = mechanisms::FingertipArmVerification;
+    V most;
+    most.poses = most.reached = 6;
+    most.drags.push_back({0, 0.1, 1.05, 1.0});
+    const std::pair<double V::*, double> figures[] = {
+        {&V::condition, 5.0}, {&V::inverse_m, 1e-9},    {&V::inverse_rad, 1e-6},
+        {&V::jacobian, 1e-6}, {&V::gravity_Nm, 1e-6},   {&V::weight_N, 0.06},
+        {&V::sinks_m, 0.003}, {&V::countMost_m, 15e-6}, {&V::place_m, 0.0005}};
+    for (const auto& [figure, bound] : figures)
+        most.*figure = 0.999 * bound;
+    most.drags[0].felt_N = 1.0499;
+    QVERIFY(most.holds());
+    const auto holds = [&most](auto change) {
+        V v = most;
+        change(v);
+        return v.holds();
+    };
+    for (const auto& [figure, bound] : figures)
+        for (const double value : {1.001 * bound, std::nan("")})
+            QVERIFY2(!holds([f = figure, value](V& v) { v.*f = value; }), qPrintable(QString::number(value)));
+    QVERIFY(!holds([](V& v) { v.reached = 5; }));
+    QVERIFY(!holds([](V& v) { v.poses = v.reached = 0; }));
+    QVERIFY(!holds([](V& v) { v.drags.clear(); }));
+    QVERIFY(!holds([](V& v) { v.drags[0].felt_N = 1.0501; }));
 }
 
 /// Of no grid at all every figure would be 0, or not a number, and at no speed the pad would be moved for

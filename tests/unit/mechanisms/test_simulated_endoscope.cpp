@@ -242,6 +242,24 @@ private slots:
         QCOMPARE(device->read(source.next(0)).counts, first);
     }
 
+    /// Each axis alone, by its name, where its travel ends before the start or begins beyond it.
+    void theStartHasToBeWithinEveryTravel() {
+        const std::vector<devices::AxisDescriptor> axes = make()->descriptor().axes;
+        QCOMPARE(axes.size(), std::size_t{5});
+        for (std::size_t axis = 0; axis < axes.size(); ++axis)
+            for (const bool low : {false, true}) {
+                SimulatedEndoscopeDevice::Configuration configuration;
+                auto& plant = configuration.plant;
+                if (low)
+                    plant.maximum[axis] = plant.minimum[axis] + 1e-6;
+                else
+                    plant.minimum[axis] = plant.maximum[axis] - 1e-6;
+                const auto far = SimulatedEndoscopeDevice::create(configuration, std::make_unique<Goer>());
+                QVERIFY2(!far, axes[axis].id.c_str());
+                QVERIFY2(far.error().message.ends_with("axis " + axes[axis].id), far.error().message.c_str());
+            }
+    }
+
     void refusesBadConfigurations() {
         QVERIFY(!SimulatedEndoscopeDevice::create({}, nullptr));
         SimulatedEndoscopeDevice::Configuration configuration;

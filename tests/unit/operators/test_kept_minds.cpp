@@ -24,7 +24,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 using namespace chiron;
@@ -92,6 +94,26 @@ struct Programme {
     }
 };
 
+/// Below the range of everything that an operator may be told.
+constexpr double kFar = -1000.0;
+
+template <class Told, class Number> std::function<void(Told&)> spoilt(Number Told::*setting) {
+    return [setting](Told& told) { told.*setting = static_cast<Number>(kFar); };
+}
+
+/// What is said of each setting alone that is far from its range: the words name it and both ends of its
+/// range.
+template <class Told, class Make>
+void refuseEach(Figures& out, const char* name, const Told& usual,
+                const std::type_identity_t<std::vector<std::function<void(Told&)>>>& spoil, Make make) {
+    for (const auto& one : spoil) {
+        Told told = usual;
+        one(told);
+        const auto made = make(told);
+        out.say(QString::fromLatin1(name), made ? std::string("made") : made.error().message);
+    }
+}
+
 } // namespace
 
 class TestKeptMinds : public QObject {
@@ -107,6 +129,7 @@ private slots:
     void objects();
     void tissue_data() { everybody(palpationOperatorNames()); }
     void tissue();
+    void settingsOutOfTheirRange();
     void nothingElseIsKept() { QCOMPARE(m_kept.unseen(), QStringList()); }
 
 private:
@@ -520,6 +543,152 @@ void TestKeptMinds::tissue() {
         }
     }
     hold("tissue", out);
+}
+
+/// Each setting of every kind of operator, and each number that it is told, far from its range.
+void TestKeptMinds::settingsOutOfTheirRange() {
+    const auto keep = [this](const char* world, const Figures& figures) {
+        const QString differs =
+            m_kept.differs(QStringLiteral("settings, %1").arg(QLatin1String(world)), figures.lines);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    };
+    {
+        using S = SphereApexOperatorSettings;
+        Figures out;
+        refuseEach(out, "setting", S{},
+                   {spoilt(&S::reachSpeed_m_per_s),
+                    spoilt(&S::lowerSpeed_m_per_s),
+                    spoilt(&S::scanSpeed_m_per_s),
+                    spoilt(&S::climbSpeed_m_per_s),
+                    spoilt(&S::sweepSpeed_m_per_s),
+                    spoilt(&S::startHeight_m),
+                    spoilt(&S::scanRadius_m),
+                    spoilt(&S::scanHeight_m),
+                    spoilt(&S::scanSpacing_m),
+                    spoilt(&S::force_N),
+                    spoilt(&S::pressDepth_m),
+                    spoilt(&S::forceGain_m_per_Ns),
+                    spoilt(&S::topSlope),
+                    spoilt(&S::edgeSlope),
+                    spoilt(&S::sweepHalfWidth_m),
+                    spoilt(&S::crosses),
+                    spoilt(&S::wanderRadius_m),
+                    spoilt(&S::wanderTime_s),
+                    spoilt(&S::settle_s),
+                    spoilt(&S::patience_s),
+                    [](S& s) { s.hand.reactionDelay_s = kFar; }},
+                   [](const S& s) { return makeSphereApexOperator(s, 1); });
+        keep("apex", out);
+    }
+    {
+        using S = UrethraInsertionOperatorSettings;
+        Figures out;
+        refuseEach(out, "setting", S{},
+                   {spoilt(&S::insertSpeed_m_per_s), spoilt(&S::withdrawSpeed_m_per_s), spoilt(&S::curveGain),
+                    spoilt(&S::turnGain_per_s), spoilt(&S::turnRate_rad_per_s), spoilt(&S::deadZone_rad),
+                    spoilt(&S::overshoot_rad), spoilt(&S::stopAngle_rad), spoilt(&S::pushLimit_N),
+                    spoilt(&S::acrossLimit_N), spoilt(&S::reliefGain_m_per_Ns),
+                    spoilt(&S::reliefTurn_rad_per_Nms), spoilt(&S::lookRate_rad_per_s),
+                    spoilt(&S::lookWithin_rad), spoilt(&S::searchAngle_rad), spoilt(&S::anticipation_s),
+                    spoilt(&S::centringGain_per_s), spoilt(&S::drawsBackAt_N),
+                    [](S& s) { s.hand.reactionDelay_s = kFar; }},
+                   [](const S& s) { return makeUrethraInsertionOperator(s, 1); });
+        keep("canal", out);
+    }
+    {
+        using S = ObjectHandlingOperatorSettings;
+        using B = ObjectHandlingBriefing;
+        Figures out;
+        refuseEach(out, "setting", S{},
+                   {spoilt(&S::attention_s),
+                    spoilt(&S::reachSpeed_m_per_s),
+                    spoilt(&S::carrySpeed_m_per_s),
+                    spoilt(&S::lowerSpeed_m_per_s),
+                    spoilt(&S::moveGain_per_s),
+                    spoilt(&S::aim_m),
+                    spoilt(&S::placeAim_m),
+                    spoilt(&S::settle_s),
+                    spoilt(&S::jawSpeed_rad_per_s),
+                    spoilt(&S::squeezeShare),
+                    spoilt(&S::squeezeGain_rad_per_Ns),
+                    spoilt(&S::squeezeSpeed_rad_per_s),
+                    spoilt(&S::squeezeTolerance),
+                    spoilt(&S::flatteningShare),
+                    spoilt(&S::regripFactor),
+                    spoilt(&S::clearance_m),
+                    spoilt(&S::setDownSpeed_m_per_s),
+                    spoilt(&S::releaseHeight_m),
+                    spoilt(&S::openSpeed_rad_per_s),
+                    spoilt(&S::weighTime_s),
+                    spoilt(&S::heft_m),
+                    spoilt(&S::weighAgain),
+                    [](S& s) { s.reach.acceleration_m_per_s2 = kFar; },
+                    [](S& s) { s.reach.smoothing_s = kFar; },
+                    [](S& s) { s.hand.reactionDelay_s = kFar; }},
+                   [](const S& s) { return makeObjectHandlingOperator(s, {}, 1); });
+        refuseEach(out, "told", B{},
+                   {spoilt(&B::liftHeight_m), spoilt(&B::jawLength_m), [](B& b) { b.place.scale = kFar; }},
+                   [](const B& b) { return makeObjectHandlingOperator({}, b, 1); });
+        keep("objects", out);
+    }
+    {
+        using S = PalpationOperatorSettings;
+        using B = PalpationBriefing;
+        Figures out;
+        refuseEach(out, "setting", S{},
+                   {spoilt(&S::spacing_m), spoilt(&S::reach), spoilt(&S::searchShare),
+                    spoilt(&S::pressTime_s), spoilt(&S::aimSd_m), spoilt(&S::forceShare), spoilt(&S::pressSd),
+                    spoilt(&S::pressures), spoilt(&S::reachSpeed_m_per_s), spoilt(&S::pressSpeed_m_per_s),
+                    spoilt(&S::hover_m), spoilt(&S::hold_s), spoilt(&S::revisits),
+                    spoilt(&S::revisitRadius_m), spoilt(&S::revisitAbove), spoilt(&S::criterion),
+                    [](S& s) { s.perception.touch_N = kFar; }, [](S& s) { s.hand.reactionDelay_s = kFar; }},
+                   [](const S& s) { return makePalpationOperator(s, {}, 1); });
+        refuseEach(out, "told", B{},
+                   {[](B& b) { b.areaHalf_m.x() = kFar; }, [](B& b) { b.areaHalf_m.y() = kFar; },
+                    spoilt(&B::hands), spoilt(&B::fingers), spoilt(&B::fingerSpacing_m),
+                    spoilt(&B::bandLow_N), spoilt(&B::bandHigh_N)},
+                   [](const B& b) { return makePalpationOperator({}, b, 1); });
+        keep("tissue", out);
+    }
+    {
+        using S = ElasticTubeOperatorSettings;
+        ElasticTubeBriefing briefing;
+        briefing.places.resize(1);
+        Figures out;
+        refuseEach(out, "setting", S{},
+                   {spoilt(&S::attention_s),
+                    spoilt(&S::reachSpeed_m_per_s),
+                    spoilt(&S::moveGain_per_s),
+                    spoilt(&S::aim_m),
+                    spoilt(&S::settle_s),
+                    spoilt(&S::jawSpeed_rad_per_s),
+                    spoilt(&S::openJaw_rad),
+                    spoilt(&S::heldJaw_rad),
+                    spoilt(&S::jawUnsteadySd_rad),
+                    spoilt(&S::pullSpeed_m_per_s),
+                    spoilt(&S::correctionRate_per_s),
+                    spoilt(&S::assumedStiffness_N_per_m),
+                    spoilt(&S::deadZone),
+                    spoilt(&S::searchSpeed_m_per_s),
+                    spoilt(&S::longestRatio),
+                    spoilt(&S::bringSpeed_m_per_s),
+                    spoilt(&S::retractShare),
+                    [](S& s) { s.reach.acceleration_m_per_s2 = kFar; },
+                    [](S& s) { s.reach.smoothing_s = kFar; },
+                    [](S& s) { s.hand.reactionDelay_s = kFar; }},
+                   [&](const S& s) { return makeElasticTubeOperator(s, briefing, 1); });
+        for (const std::size_t instruments : {0U, 1U, 2U, 3U, 4U})
+            for (const bool fold : {false, true}) {
+                briefing.places.resize(instruments);
+                briefing.retracts = fold;
+                const auto made = makeElasticTubeOperator(S{}, briefing, 1);
+                out.say(QStringLiteral("%1 instruments, %2")
+                            .arg(instruments)
+                            .arg(QLatin1String(fold ? "a fold" : "no fold")),
+                        made ? std::string("made") : made.error().message);
+            }
+        keep("tube", out);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestKeptMinds)

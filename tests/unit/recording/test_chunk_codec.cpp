@@ -24,6 +24,7 @@ private slots:
     void unknownChannelsAreSkipped();
     void missingChannelsLeaveZero();
     void refusesFramesThatDoNotFit();
+    void aChunkMayBeAsLargeAsItsLimits();
     void everyDamagedByteIsAnErrorOrAValue();
     void everyTruncationIsAnError();
     void bombsAreRefused();
@@ -155,6 +156,26 @@ void TestChunkCodec::refusesFramesThatDoNotFit() {
     QCOMPARE(encoder.encode(0, tests::HapticTrace(1, 1).take(3)).error().code, core::ErrorCode::wrongUse);
     QVERIFY(encoder.encode(0, tests::HapticTrace(1, 2).take(kMaximumFramesPerChunk)));
     QVERIFY(!encoder.encode(0, tests::HapticTrace(1, 2).take(kMaximumFramesPerChunk + 1)));
+}
+
+/// The most frames that a chunk may have come back; a payload of the largest size is read, and one byte more
+/// is refused for its size.
+void TestChunkCodec::aChunkMayBeAsLargeAsItsLimits() {
+    const auto input = tests::HapticTrace(1).take(kMaximumFramesPerChunk);
+    const auto chunk = ChunkEncoder(table(1)).encode(0, input);
+    QVERIFY(chunk);
+    std::vector<core::HapticFrame> read;
+    QVERIFY(ChunkDecoder(table(1)).decode(*chunk, read));
+    QCOMPARE(read.size(), input.size());
+    QVERIFY(tests::sameFrame(read.back(), roundedFrame(input.back())));
+    Chunk large;
+    large.frames = 1;
+    for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
+        large.payload.resize(kMaximumPayloadBytes + more);
+        const auto refused = ChunkDecoder(table(1)).decode(large, read); // its first byte is no version
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().message.find("expected at most") != std::string::npos, more == 1);
+    }
 }
 
 void TestChunkCodec::everyDamagedByteIsAnErrorOrAValue() {

@@ -41,6 +41,7 @@ private slots:
     void hashesAreThoseOfTheUnroundedForces();
     void damagedChunksAreNamed();
     void swappedAndMissingChunksAreFound();
+    void verifyReadsEverythingAgain();
     void damagedTableIsRefused();
     void emptyRecordingIsFine();
 };
@@ -131,6 +132,18 @@ void TestRecordingReader::swappedAndMissingChunksAreFound() {
     const auto refused = RecordingReader::open(missing)->verify();
     QVERIFY(!refused);
     QVERIFY(refused.error().message.find("expected 4") != std::string::npos);
+}
+
+/// A chunk is checked when it is first used; verify() takes nothing for sound that was sound once.
+void TestRecordingReader::verifyReadsEverythingAgain() {
+    Recorded r;
+    auto reader = RecordingReader::open(r.store);
+    QVERIFY(reader && reader->allFrames() && reader->verify());
+    r.store.chunks()[2].payloadDigest[0] ^= 1; // the frames decode as before: only the digest tells
+    const auto verified = reader->verify();
+    QVERIFY(!verified);
+    QCOMPARE(verified.error().code, core::ErrorCode::doesNotHold);
+    QVERIFY2(verified.error().message.starts_with("chunk 2:"), verified.error().message.c_str());
 }
 
 void TestRecordingReader::damagedTableIsRefused() {

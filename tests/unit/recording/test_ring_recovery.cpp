@@ -3,6 +3,7 @@
 #include "unit/recording/ring_support.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <sys/mman.h>
@@ -171,6 +172,17 @@ void TestRingRecovery::listsAndRemovesRings() {
     QVERIFY(listRings(s.folder, s.database).empty());
     const auto path = leaveBehind(s, 1, 0);
     QCOMPARE(listRings(s.folder, s.database), std::vector<std::filesystem::path>{path});
+    std::vector<std::filesystem::path> several{path}; // in the order of their names, not of their making
+    for (const std::int64_t session : {905, 901, 904, 902, 903}) {
+        RingSettings more = s;
+        more.session = session;
+        several.push_back(leaveBehind(more, 1, 0));
+    }
+    std::sort(several.begin(), several.end());
+    QCOMPARE(listRings(s.folder, s.database), several);
+    for (const auto& one : several)
+        if (one != path)
+            QVERIFY(recoverRing(one)->remove());
     RingSettings other = s;
     other.database[0] = 2;
     QVERIFY(listRings(s.folder, other.database).empty());

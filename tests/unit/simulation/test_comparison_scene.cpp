@@ -48,6 +48,8 @@ private slots:
     void anAdjustedLevelIsNeverFeltAsAStep();
     void wordsThatDoNotExist();
     void notANumber();
+    void withoutAToolNothingIsTouched();
+    void anAnswerMayBeWaitedFor();
 };
 
 /// Arrangement 1 is 0 the other way round; what no present named is not there.
@@ -459,6 +461,48 @@ void TestComparisonScene::notANumber() {
             d.last = good;
         }
     }
+}
+
+/// Where no tool is, what stands in its place touches nothing and answers nothing.
+void TestComparisonScene::withoutAToolNothingIsTouched() {
+    ComparisonParameters p = compared(ComparedAttribute::friction);
+    p.buttonAnswers = true;
+    ComparisonDriver d(p);
+    d.startRunning();
+    d.in.tools.count = 0;
+    d.tool().p_WT = d.at(1, -0.002);
+    d.ticks(5);
+    QCOMPARE(d.force().norm(), 0.0);
+    QCOMPARE(d.quantity(q::kPlace), 0.0);
+    QCOMPARE(d.quantity(q::kTouched), 0.0);
+    QCOMPARE(d.out.tissue.count, 0);
+    d.in.mark = true;
+    d.ticks(2);
+    QCOMPARE(d.out.phase, core::TrialPhase::running);
+    d.in.tools.count = 1;
+    d.ticks(5);
+    QVERIFY(d.force().norm() > 0.3);
+    QCOMPARE(d.quantity(q::kPlace), 2.0);
+    d.in.mark = true;
+    d.ticks(2);
+    QVERIFY((d.events & bits::kCompleted) != 0);
+    QCOMPARE(d.quantity(q::kAnswer), 2.0);
+}
+
+/// Where only exploring is limited, a trial waits for its answer.
+void TestComparisonScene::anAnswerMayBeWaitedFor() {
+    ComparisonParameters p = compared(ComparedAttribute::viscosity);
+    p.exploreLimit_s = 0.5;
+    p.answerLimit_s = 0.0;
+    ComparisonDriver d(p);
+    d.startRunning();
+    d.tool().p_WT = d.at(1, -0.002);
+    d.ticks(5000);
+    QCOMPARE(d.force().norm(), 0.0); // the objects are gone
+    QCOMPARE(d.out.phase, core::TrialPhase::running);
+    QCOMPARE(d.events & bits::kTimedOut, 0u);
+    d.answer(1);
+    QVERIFY((d.events & bits::kCompleted) != 0);
 }
 
 QTEST_APPLESS_MAIN(TestComparisonScene)

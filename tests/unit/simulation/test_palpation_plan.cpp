@@ -176,6 +176,26 @@ private slots:
         }
     }
 
+    // As many lumps as there are regions are still drawn; no lump stands in a middle because it has to.
+    void everyRegionMayHaveALump() {
+        PalpationParameters p = severalInABreast();
+        p.tissue.regions.clear();
+        p.regionColumns = 2;
+        p.regionRows = p.catchTrials = 1;
+        p.lumpsLow = p.lumpsHigh = 2;
+        p.spacing_m = 0.001;
+        for (std::uint64_t seed = 0; seed < 50; ++seed)
+            for (const PalpationTrial& trial : planPalpationTrials(p, seed)) {
+                keepsItsConstraints(p, trial);
+                QVERIFY(trial.lumps == 0 || trial.lumps == 2);
+                for (int i = 0; i < trial.lumps; ++i) {
+                    const core::Vec2& place_m = trial.lump[static_cast<std::size_t>(i)].place_m;
+                    QVERIFY((place_m - palpationRegionMiddle_m(p, palpationRegion(p, place_m))).norm() >
+                            1e-9);
+                }
+            }
+    }
+
     // Where a draw cannot succeed, middles of regions are the last resort, and it is known how many they
     // hold.
     void lastResortHoldsWhatItSays() {

@@ -35,6 +35,7 @@ void TestPalpationReports::aMarkIsAFindingAndEndsNothing() {
     QCOMPARE(d.told.size(), std::size_t{1});
     QCOMPARE(d.told[0].field, ReportField::found);
     QCOMPARE(d.told[0].finding, 0);
+    QCOMPARE(d.told[0].value, 0U);
     QVERIFY((d.told[0].p_W - Vec3(0.011, -0.007, 0.0)).norm() < 1e-9); // on the surface
     QCOMPARE(d.out.phase, TrialPhase::running);
     QVERIFY(!(d.events & bits::kMarked));
@@ -185,6 +186,17 @@ void TestPalpationReports::noToolNoMark() {
     d.in.mark = true;
     d.ticks(20);
     QCOMPARE(d.told.size(), std::size_t{0});
+    d.in.tools.count = 1; // nor does a tool report that is not there, whatever stands in its place
+    d.in.mark = true;
+    d.settle();
+    QCOMPARE(d.told.size(), std::size_t{1});
+    d.press(1, core::reportButtons(simulation::reportWord(ReportField::confidence, 2)));
+    d.settle();
+    QCOMPARE(d.told.size(), std::size_t{1});
+    d.in.tools.count = 2;
+    d.press(1, core::reportButtons(simulation::reportWord(ReportField::confidence, 2)));
+    d.settle();
+    QCOMPARE(d.told.size(), std::size_t{2});
     d.in.tools.count = 99;
     d.tick();
     QCOMPARE(d.out.tissue.count, core::kMaxTools);

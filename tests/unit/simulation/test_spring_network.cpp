@@ -65,6 +65,7 @@ class TestSpringNetwork : public QObject {
 private slots:
     void aLastingPressFeelsBothSpringsInSeries_data();
     void aLastingPressFeelsBothSpringsInSeries();
+    void everyFreeVertexGivesWay();
     void theVolumeThatIsKeptBulgesOut();
     void energyOnlyFallsWhenNobodyPresses();
     void recoversWithItsTimeConstant();
@@ -73,6 +74,7 @@ private slots:
     void asManyAsThereMayBeAreTheSameInAnyOrder();
     void givesTheSameBitsAgain();
     void refusesWhatIsNoNetwork();
+    void everyParameterHasItsRange();
     void aStepIsFarBelowTenMilliseconds();
 };
 
@@ -104,6 +106,35 @@ void TestSpringNetwork::aLastingPressFeelsBothSpringsInSeries() {
         const double givesWay = -net->displacement(of.apex).z();
         QVERIFY(std::abs(givesWay - series / organ) < 1e-6 * series / organ);
     }
+}
+
+/// A press on one vertex moves it inwards, whichever it is; an anchored one stays where it is.
+void TestSpringNetwork::everyFreeVertexGivesWay() {
+    const Dome of = dome(0.003);
+    const auto net = network(of);
+    QVERIFY(net);
+    std::vector<bool> pressed(of.shape.vertices.size(), false);
+    for (std::uint32_t t = 0; t < of.shape.triangles.size(); ++t)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = of.shape.triangles[t][corner];
+            if (pressed[vertex])
+                continue;
+            pressed[vertex] = true;
+            NetworkPush push;
+            push.triangle = t;
+            push.weights = {0.0, 0.0, 0.0};
+            push.weights[corner] = 1.0;
+            push.p_Tool = of.shape.vertices[vertex] - 0.002 * push.normal;
+            net->reset();
+            const double pushed_N = net->step(std::span(&push, 1))[0];
+            const double inwards_m = -push.normal.dot(net->displacement(vertex));
+            if (of.anchored[vertex])
+                QCOMPARE(inwards_m, 0.0);
+            else
+                QVERIFY2(
+                    pushed_N > 0.0 && inwards_m > 0.0 && inwards_m < 0.002,
+                    qPrintable(QString("vertex %1: %2 N, %3 m").arg(vertex).arg(pushed_N).arg(inwards_m)));
+        }
 }
 
 void TestSpringNetwork::theVolumeThatIsKeptBulgesOut() {
@@ -302,6 +333,39 @@ void TestSpringNetwork::refusesWhatIsNoNetwork() {
                     "triangle 5"));
     const std::vector<MeshTriangle> none;
     QVERIFY(!SpringNetwork::create({of.shape.vertices, none}, of.anchored, of.apex, {}));
+}
+
+/// The ranges that spring_network.h states: their ends are taken, what is beyond is named with them.
+void TestSpringNetwork::everyParameterHasItsRange() {
+    const Dome of = dome(0.003);
+    struct Range {
+        const char* name;
+        double SpringNetworkParameters::*value;
+        double low, high;
+    };
+    using P = SpringNetworkParameters;
+    for (const Range& range :
+         {Range{"stiffness_N_per_m", &P::stiffness_N_per_m, 20.0, 5000.0},
+          Range{"spread_m", &P::spread_m, 0.001, 0.030}, Range{"mass_kg", &P::mass_kg, 0.001, 1.0},
+          Range{"recoveryTime_s", &P::recoveryTime_s, 0.0, 2.0},
+          Range{"volumeKeeping", &P::volumeKeeping, 0.0, 0.95},
+          Range{"deepest_m", &P::deepest_m, 0.001, 0.030}, Range{"step_s", &P::step_s, 0.010, 0.050}}) {
+        const auto made = [&](double value) {
+            P p;
+            p.*range.value = value;
+            const auto net =
+                SpringNetwork::create({of.shape.vertices, of.shape.triangles}, of.anchored, of.apex, p);
+            return net ? QString() : QString::fromStdString(net.error().message);
+        };
+        QCOMPARE(made(range.low), QString());
+        QCOMPARE(made(range.high), QString());
+        for (const double beyond : {range.low - 1e-4, 1.0001 * range.high})
+            QCOMPARE(made(beyond), QStringLiteral("deformable organ: %1 is %2, expected %3 to %4")
+                                       .arg(QLatin1String(range.name))
+                                       .arg(beyond, 0, 'f', 6)
+                                       .arg(range.low, 0, 'f', 6)
+                                       .arg(range.high, 0, 'f', 6));
+    }
 }
 
 void TestSpringNetwork::aStepIsFarBelowTenMilliseconds() {

@@ -97,6 +97,7 @@ private slots:
     void noStepIsFelt();
     void aQuickPressIsLocalALastingOneTheSeries();
     void anotherTrialBeginsAtRest();
+    void theLargestDisplacementBoundsWhatIsShown();
     void thePredictionIsComparedWithWhatCame();
     void settingsAreTakenUpToTheirBounds();
 };
@@ -267,6 +268,39 @@ void TestTwoRates::anotherTrialBeginsAtRest() {
     QVERIFY(std::abs(second.back() - first.back()) < 1e-3 * first.back());
     for (std::size_t n = 0; n < 33; ++n)
         QCOMPARE(second[n], first.front()); // nothing of the old dent
+}
+
+// Searches on the moved surface go by it: no vertex is farther from its rest, and the bound stays near what
+// is shown, however long the organ has moved.
+void TestTwoRates::theLargestDisplacementBoundsWhatIsShown() {
+    const SphereApexParameters p = softDome();
+    auto dome = std::move(*TouchedDome::make(p, planSphereApexTrials(p, 1)));
+    dome->begin(0, 0);
+    const DeformableOrgan& organ = *dome->organ();
+    const auto farthest_m = [&] {
+        double most = 0.0;
+        for (std::uint32_t v = 0; v < dome->mesh().vertices().size(); ++v)
+            most = std::max(most, (organ.position(v) - organ.restMesh().position(v)).norm());
+        return most;
+    };
+    QCOMPARE(organ.largestDisplacement_m(), 0.0);
+    double shown_m = 0.0;
+    for (std::uint64_t n = 0; n < 2'000; ++n) {
+        dome->update(n, SlowUpdate::asDue);
+        if (n % 50 == 49) {
+            shown_m = farthest_m();
+            QVERIFY(shown_m <= organ.largestDisplacement_m() + 1e-12);
+        }
+        dome->respond(0, Vec3(0.001, 0.0, n < 200 ? 0.025 : 0.018), Vec3::Zero());
+        dome->ask(n);
+    }
+    QVERIFY2(shown_m > 2e-4, qPrintable(QString::number(shown_m)));
+    // The last answers are alike; with |weights| of at most 1 + 2γ it is twice what is shown.
+    QVERIFY2(organ.largestDisplacement_m() < 2.5 * shown_m,
+             qPrintable(QString::number(organ.largestDisplacement_m())));
+    dome->begin(0, 2'000);
+    QCOMPARE(organ.largestDisplacement_m(), 0.0);
+    QCOMPARE(farthest_m(), 0.0);
 }
 
 // P2: "after a visual loop update, the haptic loop compares predicted values". Untouched there is nothing to

@@ -86,10 +86,13 @@ void addChangesAndTheRest() {
     row("mesh.n", "is 3", [](Urethra& u) { u.mesh.n = 3; });
     row("mesh.n", "is 4",
         [](Urethra& u) { u.mesh.n = 4; }); // three distinct points: the first one counts twice
-    row("mesh.n", "at most 129", [](Urethra& u) { u.mesh.n = 200; });
+    row("mesh.n", "at most 129", [](Urethra& u) { u.mesh.n = 130; });
     row("mesh.w", "at least 4", [](Urethra& u) { u.mesh.w = 3; });
+    row("mesh.w", "at most 401", [](Urethra& u) { u.mesh.w = 402; });
     row("mesh.perPatch", "at least 1", [](Urethra& u) { u.mesh.perPatch = 0; });
+    row("mesh.perPatch", "at most 32", [](Urethra& u) { u.mesh.perPatch = 33; });
     row("mesh.movingSections", "at least 3", [](Urethra& u) { u.mesh.movingSections = 2; });
+    row("mesh.movingSections", "at most 33", [](Urethra& u) { u.mesh.movingSections = 34; });
 }
 
 } // namespace

@@ -18,7 +18,6 @@ ObjectHandlingOperatorSettings novice() {
     s.attention_s = 0.35;
     s.reachSpeed_m_per_s = 0.07;
     s.carrySpeed_m_per_s = 0.06;
-    s.lowerSpeed_m_per_s = 0.03;
     s.moveGain_per_s = 1.8;
     s.aim_m = 0.005;
     s.placeAim_m = 0.008;

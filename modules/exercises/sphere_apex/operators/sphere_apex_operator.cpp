@@ -19,7 +19,6 @@ SphereApexOperatorSettings novice() {
     SphereApexOperatorSettings s;
     s.technique = ApexTechniqueKind::wander;
     s.climbSpeed_m_per_s = 0.03;
-    s.scanSpeed_m_per_s = 0.08;
     s.sweepSpeed_m_per_s = 0.035;
     s.wanderRadius_m = 0.012;
     s.force_N = 1.5;
@@ -42,14 +41,11 @@ SphereApexOperatorSettings intermediate() {
 
 SphereApexOperatorSettings expert() {
     SphereApexOperatorSettings s;
-    s.technique = ApexTechniqueKind::slopeCrossings;
     // When it scans into the side of a ball that it does not expect, it moves on for its reaction delay
     // (0.18 s) and the time that it needs to be sure (0.1 s). At this speed the arm (300 N/m) then presses
     // the hardest ball (1 kN/m) with 2.6 N, well below the 4 N that the level states; at the 0.08 m/s of the
     // others it would be 5.2 N.
     s.scanSpeed_m_per_s = 0.04;
-    s.climbSpeed_m_per_s = 0.025;
-    s.sweepSpeed_m_per_s = 0.010;
     s.force_N = 1.2;
     return s;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace chiron::simulation {
 
@@ -49,9 +50,8 @@ template <class KeyOf> std::pair<std::size_t, std::size_t> joinBy(MeshShape& sha
         keys.push_back(keyOf(p));
     std::vector<std::uint32_t> order(keys.size()), into(keys.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return keys[a] != keys[b] ? keys[a] < keys[b] : a < b;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return std::tie(keys[a], a) < std::tie(keys[b], b); });
     std::vector<bool> keep(keys.size(), false);
     std::size_t first = std::numeric_limits<std::size_t>::max(), joined = 0;
     std::uint32_t head = 0;
@@ -119,7 +119,7 @@ void dropDoubled(ReadMesh& mesh, MeshReport& report) {
     std::vector<std::uint32_t> order(turned.size());
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return turned[a] != turned[b] ? turned[a] < turned[b] : a < b;
+        return std::tie(turned[a], a) < std::tie(turned[b], b);
     });
     std::vector<bool> again(turned.size(), false);
     for (std::size_t i = 1; i < order.size(); ++i)

@@ -2,6 +2,7 @@
 #include "simulation/geometry/mesh/mesh_sides.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace chiron::simulation {
 
@@ -15,9 +16,7 @@ std::vector<MeshSide> sortedSides(std::span<const std::array<std::uint32_t, 3>> 
             sides.push_back({low << 32U | high, t, i, from < to});
         }
     std::sort(sides.begin(), sides.end(), [](const MeshSide& a, const MeshSide& b) {
-        return a.key != b.key
-                   ? a.key < b.key
-                   : (a.triangle != b.triangle ? a.triangle < b.triangle : a.opposite < b.opposite);
+        return std::tie(a.key, a.triangle, a.opposite) < std::tie(b.key, b.triangle, b.opposite);
     });
     return sides;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace chiron::simulation {
 
@@ -68,10 +69,10 @@ MeshTree::MeshTree(std::span<const std::array<core::Vec3, 3>> triangles, std::ve
             const int axis = longestAxis(centres, part);
             const std::uint32_t half = task.count / 2;
             // the index breaks ties: the same triangles make the same tree
-            std::nth_element(
-                part.begin(), part.begin() + half, part.end(), [&](std::uint32_t a, std::uint32_t b) {
-                    return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-                });
+            std::nth_element(part.begin(), part.begin() + half, part.end(),
+                             [&](std::uint32_t a, std::uint32_t b) {
+                                 return std::tie(centres[a][axis], a) < std::tie(centres[b][axis], b);
+                             });
             node.first = static_cast<std::uint32_t>(m_nodes.size());
             node.count = 0;
             m_nodes.resize(m_nodes.size() + 2);
