@@ -77,8 +77,9 @@ struct PassivityBodies {
 /// leak of a trembling hand would soften every long hold. Energy put in beyond what is held counts up to
 /// kSurplus_J, since the rest has become heat. A contact therefore never holds more than the plain work put
 /// in (work_J()), the 1 mJ that is allowed, kForgiven_J, and the energy made while c falls. The balance is
-/// kept twice, with the force of the last tick and with that of kLate_ticks before (passivity_observer.h),
-/// and the worse one counts; the late one is forgiven at kForgivenLate_W without a limit.
+/// kept twice, with the force of the last tick and with that of as many ticks before as the samples of the
+/// tool's device may be old (passivity_observer.h), and the worse one counts; the late one is forgiven at
+/// kForgivenLate_W without a limit.
 ///
 /// Thread: haptic.
 class PassivityController {
