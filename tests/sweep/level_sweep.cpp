@@ -277,8 +277,9 @@ private:
             const Before& before = m_before[i];
             if (before.known && !appeared) {
                 compare(before, tool, i, otherEnds[i], path, tick);
-                work += 0.5 * (wrench.force + before.force).dot(tool.p_WT - before.p) +
-                        0.5 * (wrench.torque + before.torque).dot(turnOf(before.q, tool.q_WT));
+                if (!m_true || !m_true->slides(i))
+                    work += 0.5 * (wrench.force + before.force).dot(tool.p_WT - before.p) +
+                            0.5 * (wrench.torque + before.torque).dot(turnOf(before.q, tool.q_WT));
             }
             m_before[i] = {true,          tool.p_WT, wrench.force, tool.v_WT,
                            wrench.torque, tool.w_WT, tool.q_WT,    m_out.damping_Ns_per_m[i]};
