@@ -62,6 +62,9 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
     // Without a serial number, the text is the same as before the field existed.
     if (!d.serialNumber.empty())
         json.insert("serial_number", QString::fromStdString(d.serialNumber));
+    // The same for samples as old as every device's were taken to be.
+    if (d.oldestSample_us != devices::kUsualOldestSample_us)
+        json.insert("oldest_sample_us", static_cast<double>(d.oldestSample_us));
     return json;
 }
 
@@ -87,6 +90,8 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
     d.maximumDamping_Ns_per_m = in.number("maximum_damping_Ns_per_m");
     d.frictionCompensation = in.number("friction_compensation", 0.0);
     d.serialNumber = json.contains(QLatin1String("serial_number")) ? in.text("serial_number") : std::string();
+    if (json.contains(QLatin1String("oldest_sample_us")))
+        d.oldestSample_us = static_cast<std::uint32_t>(in.integer("oldest_sample_us", 0, 10'000'000));
     if (!in.ok())
         return tl::unexpected(in.error());
     if (d.axes.empty() || d.axes.size() > core::kMaxCoordinates)

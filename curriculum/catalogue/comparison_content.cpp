@@ -2,6 +2,7 @@
 #include "catalogue/comparison_content.h"
 
 #include "catalogue/resolved_level.h"
+#include "catalogue/yield_content.h"
 #include "simulation/attributes/object_attributes.h"
 #include "simulation/comparison/comparison_parameters.h"
 
@@ -129,6 +130,11 @@ QJsonObject parametersJson(const Parameters& p) {
     // Absent in sessions without a free minute, and in those of earlier versions.
     if (p.freeFirst)
         out["free_first"] = true;
+    // Absent where nothing gives way, and in sessions of earlier versions.
+    if (std::isfinite(p.yield.force_N)) {
+        out[QLatin1String(kYieldKeys[0])] = p.yield.force_N;
+        out[QLatin1String(kYieldKeys[1])] = 1000.0 * p.yield.fall_s;
+    }
     QJsonObject object;
     for (const Fixed& key : kFixed)
         object[QLatin1String(key.name)] = p.object.*key.member;
@@ -147,6 +153,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
             p.*key.member = parameters.number(known.back());
     }
     for (const char* key : kOthers)
+        known.push_back(QLatin1String(key));
+    for (const char* key : kYieldKeys)
         known.push_back(QLatin1String(key));
     p.attribute = static_cast<simulation::ComparedAttribute>(wordOf(parameters, "attribute", kAttributes));
     if (parameters.has("control"))
@@ -168,6 +176,7 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.leaveBeforeAgain = parameters.boolean("leave_before_again");
     if (parameters.has("free_first"))
         p.freeFirst = parameters.boolean("free_first");
+    readYield(parameters, p.yield);
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
     p.cues = cues;
     return ExerciseParameters(std::move(p));
@@ -189,6 +198,7 @@ void checkComparison(const ExerciseParameters& parameters, const QString& path, 
     if (!(p.probeAtLeast_N >= 0.0 && p.probeAtLeast_N <= 100.0))
         problems.push_back({memberPath(path, "probe_at_least_N"), QString::number(p.probeAtLeast_N),
                             QStringLiteral("0 to 100 N")});
+    checkYield(p.yield, p.maximumForce_N, path, problems);
     if (p.arrangements.empty() || p.arrangements.size() > 16)
         problems.push_back({memberPath(path, "arrangements"), QString::number(p.arrangements.size()),
                             QStringLiteral("1 to 16 rows")});
@@ -250,6 +260,9 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
     p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
     p.leaveBeforeAgain = p.attribute == simulation::ComparedAttribute::stiffness;
+    // No more is felt than the cap, so nobody who lifts an object and sets it down again gets there.
+    if (p.attribute == simulation::ComparedAttribute::mass)
+        p.yield.force_N = kLatestYield * p.maximumForce_N;
     if (trial.visibleObjects)
         p.cues = {"object", "tool"};
     return p;

@@ -14,6 +14,8 @@ namespace chiron::catalogue {
 inline constexpr std::array<const char*, 2> kYieldKeys{"yield_force_N", "yield_fall_ms"};
 /// The same for a torque, in exercises that turn the tool back.
 inline constexpr const char* kYieldTorqueKey = "yield_torque_mN_m";
+/// Tissue gives way at this multiple of the largest allowed force or torque at the latest.
+inline constexpr double kLatestYield = 3.0;
 
 inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law) {
     if (parameters.has(QLatin1String(kYieldKeys[0])))
@@ -26,28 +28,27 @@ inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law)
             law.torque_Nm = torque_mNm / 1000.0;
 }
 
-/// Checks that tissue gives way only above the largest allowed force, and at three times that force at the
-/// latest.
+/// Checks that tissue gives way only above the largest allowed force, and at kLatestYield times that force at
+/// the latest.
 inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path,
                        Problems& problems) {
-    constexpr double kMost = 3.0;
-    if (!std::isfinite(law.force_N) || (law.force_N > limit_N && law.force_N <= kMost * limit_N))
+    if (!std::isfinite(law.force_N) || (law.force_N > limit_N && law.force_N <= kLatestYield * limit_N))
         return;
     problems.push_back({memberPath(path, kYieldKeys[0]), QString::number(law.force_N),
                         QStringLiteral("more than maximum_force_N = %1, and at most %2 times that")
                             .arg(limit_N)
-                            .arg(kMost)});
+                            .arg(kLatestYield)});
 }
 
 inline void checkYieldTorque(const simulation::YieldLaw& law, double limit_Nm, const QString& path,
                              Problems& problems) {
-    constexpr double kMost = 3.0;
-    if (!std::isfinite(law.torque_Nm) || (law.torque_Nm > limit_Nm && law.torque_Nm <= kMost * limit_Nm))
+    if (!std::isfinite(law.torque_Nm) ||
+        (law.torque_Nm > limit_Nm && law.torque_Nm <= kLatestYield * limit_Nm))
         return;
     problems.push_back({memberPath(path, kYieldTorqueKey), QString::number(1000.0 * law.torque_Nm),
                         QStringLiteral("more than maximum_torque_mN_m = %1, and at most %2 times that")
                             .arg(1000.0 * limit_Nm)
-                            .arg(kMost)});
+                            .arg(kLatestYield)});
 }
 
 } // namespace chiron::catalogue

@@ -85,9 +85,13 @@ double PassivityController::renderedEnergy_J(const PassivityContact& contact, do
 bool PassivityController::apply(const Limits& limits, int count, const core::ToolStates& states,
                                 const PassivityBodies& bodies, Wrenches& wrenches) noexcept {
     smooth(states);
+    PassivityObserver::Ages late_ticks{};
+    for (std::size_t i = 0; i < late_ticks.size(); ++i) {
+        late_ticks[i] = limits[i].late_ticks;
+    }
     for (std::size_t body = 0; body < m_accounts.size(); ++body) {
         if (m_used[body]) {
-            m_accounts[body].observer.addWork(states);
+            m_accounts[body].observer.addWork(states, late_ticks);
         }
     }
     regroup(count, bodies);

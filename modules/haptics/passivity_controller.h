@@ -39,7 +39,9 @@ struct PassivityBodies {
 ///
 /// Stored energy: U is the energy of the force *as rendered*. With gain g and the cap ratio ρ of the
 /// requested force, a linear spring holds g U s(2-s), s = min(1, ρ/g), the potential of a spring whose force
-/// stops rising at the cap. A capped spring, which is passive, is therefore left alone. With a knee in the
+/// stops rising at the cap. A capped spring, which is passive, is therefore left alone. Of a spring that
+/// stiffens the same formula gives less than it holds (at most 12 % less up to twice the cap), so it is left
+/// alone, too; what comes back is at most what was put in and 1 mJ for any U ≥ 0. With a knee in the
 /// cap (bentToCap) the energy is g U bentEnergy(g/ρ). A force field that is capped along its own direction
 /// remains a potential only if the cap depends on U alone; a scene whose force differs at the same U states
 /// this (load_N). A change of gain is credited with the energy that it puts in or takes out at this pose:
@@ -77,8 +79,9 @@ struct PassivityBodies {
 /// leak of a trembling hand would soften every long hold. Energy put in beyond what is held counts up to
 /// kSurplus_J, since the rest has become heat. A contact therefore never holds more than the plain work put
 /// in (work_J()), the 1 mJ that is allowed, kForgiven_J, and the energy made while c falls. The balance is
-/// kept twice, with the force of the last tick and with that of kLate_ticks before (passivity_observer.h),
-/// and the worse one counts; the late one is forgiven at kForgivenLate_W without a limit.
+/// kept twice, with the force of the last tick and with that of as many ticks before as the samples of the
+/// tool's device may be old (passivity_observer.h), and the worse one counts; the late one is forgiven at
+/// kForgivenLate_W without a limit.
 ///
 /// Thread: haptic.
 class PassivityController {

@@ -4,6 +4,8 @@
 #include "core/tool_state.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace chiron::haptics {
 
@@ -15,13 +17,19 @@ namespace chiron::haptics {
 /// so they share the observer.
 ///
 /// Samples are late, so a spring or damper that is felt late looks passive while it drives the hand. A second
-/// sum therefore uses the wrench that was rendered when the sample was taken, if samples are kLate_ticks old:
-/// W_l += -f(k-1-kLate)·(x(k) - x(k-1)).
+/// sum therefore uses the wrench that was rendered when the sample was taken, if samples are as old as the
+/// tool's device may send them, n ticks: W_l += -f(k-1-n)·(x(k) - x(k-1)).
 class PassivityObserver {
 public:
+    /// Age of the oldest samples of each tool's device, in ticks, 0..kMostLate_ticks.
+    using Ages = std::array<std::uint8_t, core::kMaxTools>;
+    /// Twice the longest period at which a device may render force (SafetySettings::slowestRendering_us).
+    static constexpr std::size_t kMostLate_ticks = 8;
+
     void reset() noexcept;
     /// Adds the work of the wrenches held since the last tick. Call it before hold() of this tick's wrenches.
-    void addWork(const core::ToolStates& states) noexcept;
+    /// By default samples are not late at all.
+    void addWork(const core::ToolStates& states, const Ages& late_ticks = {}) noexcept;
     /// Adds the energy that a ramp or a swap of the scene put in or took out without the person's work:
     /// ½Δk x².
     void credit(double energy_J) noexcept {
@@ -55,21 +63,21 @@ public:
     /// Clears the held wrenches, because no tool is at this body.
     void holdNothing() noexcept;
 
-    static constexpr std::size_t kLate_ticks = 3; ///< age of the oldest samples that a device may send
-                                                  ///< (devices.md §6)
-
     double supplied_J() const noexcept { return m_supplied_J; } ///< work and credits
-    double late_J() const noexcept { return m_late_J; }         ///< the same, if samples are kLate_ticks old
+    double late_J() const noexcept { return m_late_J; }         ///< the same, if samples are late
     double work_J() const noexcept { return m_work_J; }         ///< the work alone, since the contact began
 
 private:
     using Sum = double PassivityObserver::*;
     static const std::array<Sum, 3> kSums;
 
+    const core::ToolWrenches& heldBefore(std::size_t ticks) const noexcept;
+
     core::ToolStates m_states;
     core::ToolWrenches m_held;
-    std::array<core::ToolWrenches, kLate_ticks> m_earlier{}; ///< ring buffer
+    std::array<core::ToolWrenches, kMostLate_ticks> m_earlier{}; ///< ring buffer of what was held before
     std::size_t m_oldest = 0;
+    bool m_heldAny = false; ///< since holdNothing()
     double m_supplied_J = 0.0;
     double m_late_J = 0.0;
     double m_work_J = 0.0;

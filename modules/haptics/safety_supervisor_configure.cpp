@@ -72,7 +72,18 @@ core::Result<void> checkSettings(const SafetySettings& s) {
     return {};
 }
 
-core::Result<void> checkTool(const SafetyTool& tool, std::size_t index) {
+/// True if the tool may render force at its period.
+bool rendersForce(const SafetySettings& settings, const SafetyTool& tool) {
+    return tool.device.rendersForce && tool.device.period_us <= settings.slowestRendering_us;
+}
+
+/// Age of the tool's samples in whole ticks.
+std::uint32_t lateTicks(const SafetyTool& tool) {
+    constexpr std::uint32_t kTick_us = 1000;
+    return (tool.device.guardedDelay_us() + kTick_us - 1) / kTick_us;
+}
+
+core::Result<void> checkTool(const SafetySettings& settings, const SafetyTool& tool, std::size_t index) {
     const std::string where =
         "safety supervisor: tool " + std::to_string(index) + " (" + tool.device.driver + "): ";
     const auto& axes = tool.device.axes;
@@ -102,17 +113,25 @@ core::Result<void> checkTool(const SafetyTool& tool, std::size_t index) {
                                                        " (force, torque or damping)");
         }
     }
+    if (rendersForce(settings, tool) && lateTicks(tool) > PassivityObserver::kMostLate_ticks) {
+        return core::fail(ErrorCode::badInput,
+                          where + "samples up to " + std::to_string(tool.device.guardedDelay_us()) +
+                              " us old; a device that renders force sends none older than " +
+                              std::to_string(1000 * PassivityObserver::kMostLate_ticks) + " us");
+    }
     return {};
 }
 
 SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool) {
     SafetyToolLimits limits;
     limits.kinematics = &tool.kinematics;
-    limits.renders = tool.device.rendersForce && tool.device.period_us <= settings.slowestRendering_us;
+    limits.renders = rendersForce(settings, tool);
     limits.inProcess = tool.device.inProcess;
     limits.map = devices::WorkspaceMap(tool.mapping);
     limits.scale = tool.mapping.scale;
     limits.period_us = tool.device.period_us;
+    limits.late_ticks = static_cast<std::uint8_t>(
+        std::min<std::uint32_t>(lateTicks(tool), PassivityObserver::kMostLate_ticks));
     setWatchdog(settings, limits);
     limits.axes = static_cast<int>(tool.device.axes.size());
     for (std::size_t i = 0; i < tool.device.axes.size(); ++i) {
@@ -139,7 +158,7 @@ core::Result<void> SafetySupervisor::configure(const SafetySettings& settings,
     }
     CHIRON_TRY(checkSettings(settings));
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        CHIRON_TRY(checkTool(tools[i], i));
+        CHIRON_TRY(checkTool(settings, tools[i], i));
     }
     m_settings = settings;
     m_count = static_cast<int>(tools.size());

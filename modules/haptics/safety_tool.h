@@ -29,6 +29,8 @@ struct SafetyToolLimits {
     std::uint32_t watchdogStart_us = 0;
     std::uint32_t watchdogZero_us = 0;
     std::uint32_t watchdogFault_us = 0;
+    /// Age of the samples against which energy is balanced (DeviceDescriptor::guardedDelay_us).
+    std::uint8_t late_ticks = devices::kUsualOldestSample_us / 1000;
     int axes = 0;
     std::array<double, core::kMaxCoordinates> axisCap{}; ///< N or N·m; 0: not actuated, not limited
     /// True if some axis has a motor. Otherwise the force is displayed to a finger's pad (P3): it does no

@@ -9,8 +9,11 @@
 
 namespace chiron::mechanisms {
 
-/// Incremental encoders that are read once per tick, with a delay of 0..3 ticks until the host sees the
-/// counts.
+/// Longest delay until the host sees the counts of a simulated mechanism.
+inline constexpr int kMostSampleDelay_ticks = 3;
+
+/// Incremental encoders that are read once per tick, with a delay of 0..kMostSampleDelay_ticks until the host
+/// sees the counts.
 template <std::size_t Axes> class EncoderLine {
 public:
     using Values = std::array<double, Axes>; ///< rad or m
@@ -38,7 +41,7 @@ public:
     }
 
 private:
-    static constexpr int kLength = 4;
+    static constexpr int kLength = kMostSampleDelay_ticks + 1;
     void read(const Values& values, Counts& counts) const noexcept {
         for (std::size_t axis = 0; axis < Axes; ++axis)
             counts[axis] = static_cast<std::int32_t>(std::floor(values[axis] / m_resolution[axis] + 0.5));

@@ -2,6 +2,8 @@
 #include "catalogue/catalogue.h"
 #include "catalogue/schema.h"
 #include "core/languages.h"
+#include "core/units.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
@@ -15,6 +17,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace chiron;
 using namespace chiron::catalogue;
@@ -46,6 +50,8 @@ private slots:
     void marksInTheSceneAreExplained();
     void urethraLevelsHaveTheirGates();
     void palpationLevelsHaveTheirGates();
+    void marksAtRandomDoNotPassAPalpation_data();
+    void marksAtRandomDoNotPassAPalpation();
     void tissueThatGivesWayFails();
     void onlyJsonAndReadmesAreShipped();
 };
@@ -223,6 +229,68 @@ void TestContent::palpationLevelsHaveTheirGates() {
         QVERIFY2(!asked.contains("size_error"),
                  level.id.c_str()); // content/README.md: what a finger feels does not tell it
     }
+}
+
+namespace {
+
+/// The probability that marks at random places find `hits` lumps before one false alarm too many.
+double foundInTime(int hits, int mostFalse, double perMark) {
+    double probability = hits <= 0 ? 1.0 : 0.0;
+    const int marks = hits + mostFalse;
+    double drawn = std::pow(1.0 - perMark, marks); // of k hits among that many marks
+    for (int k = 0; hits > 0 && k <= marks; ++k) {
+        probability += k >= hits ? drawn : 0.0;
+        drawn *= static_cast<double>(marks - k) / (k + 1) * perMark / (1.0 - perMark);
+    }
+    return probability;
+}
+
+/// The probability that somebody who searches everywhere and marks places at random meets a level's limits on
+/// misses and false alarms.
+double passesByChance(const simulation::PalpationParameters& p, int mostMissed, int mostFalse) {
+    double reach_m = p.hitRadius_m;
+    for (const simulation::LumpKind& kind : p.kinds)
+        reach_m = std::max(reach_m, kind.radius_m);
+    const int withLumps = p.trials - p.catchTrials;
+    const double lumps = 0.5 * (p.lumpsLow + p.lumpsHigh) * withLumps / p.trials; // in a trial
+    const double perMark =
+        lumps * core::kPi * reach_m * reach_m / (4.0 * p.areaHalf_m.x() * p.areaHalf_m.y());
+    std::vector<double> totals{1.0}; // the probability of each number of lumps
+    for (int trial = 0; trial < withLumps; ++trial) {
+        std::vector<double> more(totals.size() + static_cast<std::size_t>(p.lumpsHigh), 0.0);
+        for (std::size_t total = 0; total < totals.size(); ++total)
+            for (int k = p.lumpsLow; k <= p.lumpsHigh; ++k)
+                more[total + static_cast<std::size_t>(k)] += totals[total] / (p.lumpsHigh - p.lumpsLow + 1);
+        totals = std::move(more);
+    }
+    double passes = 0.0;
+    for (std::size_t total = 0; total < totals.size(); ++total)
+        passes += totals[total] * foundInTime(static_cast<int>(total) - mostMissed, mostFalse, perMark);
+    return passes;
+}
+
+} // namespace
+
+void TestContent::marksAtRandomDoNotPassAPalpation_data() {
+    QTest::addColumn<int>("number");
+    for (const ExerciseLevel& level : shipped().find("palpation")->levels)
+        QTest::addRow("%d %s", level.number, level.id.c_str()) << level.number;
+}
+
+// What a limit on lumps has to exclude, whatever a scripted expert reaches.
+void TestContent::marksAtRandomDoNotPassAPalpation() {
+    QFETCH(int, number);
+    const ExerciseLevel& level = *shipped().find("palpation", number);
+    std::map<std::string, double> most;
+    for (const scoring::Gate& gate : level.gates)
+        most[gate.metric] = gate.maximum.value_or(0.0);
+    const double chance = passesByChance(level.parameters.as<simulation::PalpationParameters>(),
+                                         static_cast<int>(most["palpation_misses"]),
+                                         static_cast<int>(most["palpation_false_alarms"]));
+    if (number == 3)
+        QEXPECT_FAIL("", "five to ten lumps, of which six may be missed (docs/content.md, Palpation)",
+                     Continue);
+    QVERIFY2(chance < 0.01, qPrintable(QString::number(chance)));
 }
 
 // Whoever breaks through tissue fails, on every level on which tissue can give way, however well the rest

@@ -85,8 +85,9 @@ std::vector<std::string> inverted(const LadderLevel& level);
 /// What the passivity controller did on the level that its law gives no reason for, one line per session:
 /// - a law with a potential is damped. Where a body is rendered softer, which a fast hand on a stiff body
 /// brings
-///   about with any law, because the controller also keeps an account of samples that come three ticks late
-///   (docs/testing.md), bodies still hold no more than they were given, but for what the controller allows.
+///   about with any law, because the controller also keeps an account of samples as late as the device
+///   states (docs/testing.md), bodies still hold no more than they were given, but for what the controller
+///   allows.
 std::vector<std::string> unfounded(const LadderLevel& level);
 
 /// For people: one line per operator.

@@ -108,6 +108,22 @@ QJsonArray comparedForces(simulation::ComparedAttribute attribute) {
     return sums.json();
 }
 
+/// An object that is pressed onto its bed until the bed gives way, and taken hold of again.
+QJsonArray pressedObjectForces() {
+    simulation::ComparisonParameters p = simulation::testing::compared(simulation::ComparedAttribute::mass);
+    p.yield.force_N = 12.0;
+    Sums sums;
+    std::uint64_t tick = 0;
+    simulation::testing::ComparisonDriver driver(p);
+    driver.witness = [&](const simulation::SceneOutput& out) { sums.add(tick++, out.tissue.tools[0], 0, 1); };
+    driver.startRunning();
+    driver.moveTo(driver.at(0, driver.hook_m() + 0.04), 0.3);
+    driver.moveTo(driver.at(0, driver.hook_m()), 0.4);
+    driver.moveTo(driver.at(0, driver.hook_m() - 0.06), 0.6);
+    driver.moveTo(driver.at(0, driver.hook_m() + 0.04), 0.6);
+    return sums.json();
+}
+
 /// A floor for each tool, each a body of its own. The one of tool 0 may stiffen by itself while it is
 /// pressed: it then gives more than was put in, and is rendered softer where the scene states energy per
 /// body.
@@ -243,6 +259,7 @@ void TestModelsId::initTestCase() {
     for (std::size_t i = 0; i < kAttributeNames.size(); ++i)
         m_now[QStringLiteral("comparison, %1").arg(QLatin1String(kAttributeNames[i]))] =
             comparedForces(simulation::testing::kComparedAttributes[i]);
+    m_now[QStringLiteral("comparison, pressed mass")] = pressedObjectForces();
     m_now[QStringLiteral("loop")] = commandedForces(tests::apexScene());
     m_now[QStringLiteral("loop, dimple")] = commandedForces(tests::apexScene(dimpledBall()));
     m_now[QStringLiteral("loop, knee")] = commandedForces(tests::apexScene(), lowCap(0.3));

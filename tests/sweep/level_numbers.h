@@ -16,6 +16,7 @@ namespace chiron::tests {
 /// here.
 /// Unit: SI.
 struct LevelNumbers {
+    bool givesWay = true;  ///< its content has to say at which force
     double yield_N = 0.0;  ///< 0: never
     double yield_Nm = 0.0; ///< 0: never
     double fall_ms = 20.0;

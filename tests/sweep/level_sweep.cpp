@@ -65,6 +65,7 @@ public:
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
         m_result.limit_Nm = m_kind->torqueLimit_Nm(level);
+        m_result.givesWay = m_numbers.givesWay;
         m_result.yieldStated = m_numbers.yield_N > 0.0;
         if (m_result.yieldStated)
             m_result.yieldForce_N = m_numbers.yield_N;
@@ -276,8 +277,9 @@ private:
             const Before& before = m_before[i];
             if (before.known && !appeared) {
                 compare(before, tool, i, otherEnds[i], path, tick);
-                work += 0.5 * (wrench.force + before.force).dot(tool.p_WT - before.p) +
-                        0.5 * (wrench.torque + before.torque).dot(turnOf(before.q, tool.q_WT));
+                if (!m_true || !m_true->slides(i))
+                    work += 0.5 * (wrench.force + before.force).dot(tool.p_WT - before.p) +
+                            0.5 * (wrench.torque + before.torque).dot(turnOf(before.q, tool.q_WT));
             }
             m_before[i] = {true,          tool.p_WT, wrench.force, tool.v_WT,
                            wrench.torque, tool.w_WT, tool.q_WT,    m_out.damping_Ns_per_m[i]};

@@ -27,7 +27,8 @@ struct SweepResult {
     std::string level;         ///< "exercise/number id"
     bool conservative = false; ///< the scene says that its law has a potential
     bool measured = false;     ///< somebody wrote SweepFacts for this exercise
-    bool yieldStated = false;  ///< the level's content says at which force its tissue gives way
+    bool givesWay = true;      ///< the level's content has to say at which force its tissue gives way
+    bool yieldStated = false;  ///< and it does
     double yieldForce_N = std::numeric_limits<double>::infinity(); ///< that force
     double yieldTorque_Nm = 0.0; ///< and the torque; 0: nothing of the level turns the tool
     double limit_N = 0.0;        ///< the level's limit

@@ -24,6 +24,9 @@ public:
     /// How far the tool is from everything that may act on it, m; ≤ 0: something may.
     virtual double clearance_m(std::size_t tool, const simulation::SceneInput& in,
                                const simulation::SceneOutput& out) = 0;
+    /// Whether only friction still pulls at the tool: what it has let go of slides out of its jaws. This is
+    /// no part of a law's potential, so its work is left out of what the law makes (models.md §2.4).
+    virtual bool slides(std::size_t) const { return false; }
     /// From which clearance on the force has to be zero, m: rounding; on a mesh kMeshTolerance_m.
     virtual double tolerance_m() const { return 1e-9; }
 

@@ -62,6 +62,10 @@ std::unique_ptr<simulation::IScene> ComparisonKind::makeScene(const SessionSetup
     return std::make_unique<simulation::ComparisonScene>(parametersOf(setup.level), setup.seed);
 }
 
+simulation::YieldLaw ComparisonKind::yieldLaw(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).yield;
+}
+
 std::vector<std::string> ComparisonKind::operatorNames() const {
     return {kOperators.begin(), kOperators.end()};
 }

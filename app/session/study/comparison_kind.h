@@ -17,6 +17,7 @@ public:
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     /// "participant" explores every position of every trial and never answers; the answers come from the
     /// study's runner.
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,

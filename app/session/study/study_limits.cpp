@@ -64,7 +64,7 @@ RenderingLimits renderingLimits(const devices::DeviceDescriptor& device, double 
 }
 
 double statedDelay_s(const devices::DeviceDescriptor& device) {
-    return device.inProcess ? 0.0 : 2.0 * device.period_us * 1e-6;
+    return device.packetDelay_us() * 1e-6;
 }
 
 RenderingLimits limitsAt(const devices::DeviceDescriptor& device, std::optional<double> measuredDelay_s) {

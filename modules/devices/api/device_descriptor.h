@@ -3,6 +3,7 @@
 
 #include "core/tool_state.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -35,6 +36,10 @@ inline constexpr double kMostFrictionCompensation = 0.8;
 /// shown.
 enum class DeviceClass { felt, shown };
 
+/// The age of samples for which every device was taken before descriptors stated it, and which a simulated
+/// mechanism may be given: 3 ticks.
+inline constexpr std::uint32_t kUsualOldestSample_us = 3000;
+
 /// Describes what a device is and can do. It is stored with each session, and the kinematics can be made from
 /// it again.
 struct DeviceDescriptor {
@@ -57,10 +62,17 @@ struct DeviceDescriptor {
     /// Share of the axes' Coulomb friction that is fed forward, 0..kMostFrictionCompensation; 0 = off. The
     /// loop uses no more than that (haptics/friction_compensation.h).
     double frictionCompensation = 0.0;
+    /// Age of the oldest samples that the device sends as new ones.
+    std::uint32_t oldestSample_us = kUsualOldestSample_us;
     /// As the driver reads it from the device (for a HID device, the string in its descriptor); empty if the
     /// device reports none, as simulated ones do.
     std::string serialNumber{};
     DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
+    /// The delay that packets make, on the safe side: a sample may be one period old, and a command may wait
+    /// for one more. 0 if the device is stepped in the tick.
+    std::uint32_t packetDelay_us() const { return inProcess ? 0 : 2 * period_us; }
+    /// The delay against which the passivity controller guards people (devices.md §8).
+    std::uint32_t guardedDelay_us() const { return std::max(oldestSample_us, packetDelay_us()); }
 };
 
 /// The mapping from D to W: p_WT = origin + scale · R · H · p_DT, with H = diag(-1,1,1) for a left-handed

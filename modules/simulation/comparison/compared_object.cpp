@@ -66,6 +66,7 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v,
             return out;
         m_held = true;
         m_lifted = m_pressed = false;
+        m_yield.reset();
         m_offset = ring() - p;
     }
     const double weight_N = m_mass_kg * core::kStandardGravity;
@@ -76,8 +77,7 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v,
     m_lifted = m_lifted || lift_m > kLifted_m;
     m_pressed = m_lifted && (m_pressed || bed_N > weight_N + kPress_N);
     if (m_pressed && lift_m >= 0.0) {
-        m_held = m_lifted = m_pressed = false;
-        m_awayFirst = true;
+        comeOff();
         return out;
     }
     // Damping fades in from the rest position: there is none at rest and none in the air
@@ -90,7 +90,30 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v,
     out.stiffness_N_per_m = depth_m > 0.0 ? m_bed_N_per_m : 0.0;
     out.displacement_m = lift_m;
     out.touching = true;
+    yieldTo(out);
     return out;
+}
+
+void ComparedObject::comeOff() noexcept {
+    m_held = m_lifted = m_pressed = false;
+    m_awayFirst = true;
+}
+
+/// Lets the bed give way to what presses on it; the weight of what is lifted is no load on it. Once the force
+/// has fallen, the object is let go.
+void ComparedObject::yieldTo(ComparedResponse& pressed) noexcept {
+    const double load_N = m_yield.through() ? pressed.force.norm() : std::max(0.0, pressed.force.z());
+    const double holds = m_yield.step(load_N, false, false, core::kTickSeconds);
+    pressed.contact = m_yield.bits();
+    if (m_yield.gone()) {
+        comeOff();
+        pressed = {.surfacePoint = pressed.surfacePoint, .contact = pressed.contact};
+        return;
+    }
+    pressed.force *= holds;
+    pressed.energy_J *= holds;
+    pressed.stiffness_N_per_m *= holds;
+    pressed.damping_Ns_per_m *= holds;
 }
 
 ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v,

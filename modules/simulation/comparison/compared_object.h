@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "simulation/comparison/comparison_parameters.h"
+#include "simulation/objects/contact_yield.h"
 #include "simulation/objects/object_contact.h"
 #include "simulation/tube/tube_law.h"
 
@@ -20,9 +21,10 @@ struct ComparedResponse {
     double damping_Ns_per_m = 0.0; ///< the part of the tool's budget that it uses
     /// Stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad.
     double displacement_m = 0.0;
-    double depth_m = 0.0;  ///< below the pad's smooth surface, without roughness; signed
-    bool touching = false; ///< a force may act
-    bool held = false;     ///< the tool has taken hold of it
+    double depth_m = 0.0;     ///< below the pad's smooth surface, without roughness; signed
+    bool touching = false;    ///< a force may act
+    bool held = false;        ///< the tool has taken hold of it
+    std::uint8_t contact = 0; ///< core::contact_bits of giving way
 };
 
 /// The object at one place, built from the exercises' laws:
@@ -40,9 +42,11 @@ struct ComparedResponse {
 /// farther from the foot than the tube is long. A tool takes hold of an object at its ring while the object
 /// lies on its bed (weight and bed cancel); the object then keeps its offset from the tip. The object is let
 /// go once it has been lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has ended.
-/// Taking hold and letting go cause no step in force. The object can be changed while nothing touches it. The
-/// state consists of held, bristle and dent. Source: P2; models.md §2.2, §2.4. Thread: haptic; allocates
-/// nothing.
+/// Taking hold and letting go cause no step in force. An object that is pressed harder than
+/// `ComparisonParameters::yield` allows comes off the tool: the bed gives way (yield.h), so the force on the
+/// tool is never more than the yield force upwards and the weight downwards, however deep the tool goes. The
+/// object can be changed while nothing touches it. The state consists of held, bristle, dent and yield.
+/// Source: P2; models.md §2.2, §2.4, §8. Thread: haptic; allocates nothing.
 class ComparedObject {
 public:
     /// Force beyond its weight with which an object must be pressed to be let go ...
@@ -68,6 +72,8 @@ private:
     ComparedResponse pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
     ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
     ComparedResponse press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    void yieldTo(ComparedResponse& pressed) noexcept;
+    void comeOff() noexcept;
     core::Vec3 ring() const noexcept { return m_foot + core::Vec3(0.0, 0.0, m_height_m); }
 
     ComparedAttribute m_attribute = ComparedAttribute::stiffness;
@@ -76,6 +82,7 @@ private:
     double m_radius_m = 0.0, m_edge_m = 1.0;
     TubeLaw m_tube;
     double m_mass_kg = 0.0, m_bed_N_per_m = 1.0, m_bedDamping_Ns_per_m = 0.0;
+    ContactYield m_yield; ///< of the bed
     ObjectContact m_pad;
     ObjectContactState m_state;
     core::Vec3 m_offset = core::Vec3::Zero();

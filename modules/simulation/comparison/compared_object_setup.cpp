@@ -30,6 +30,7 @@ void ComparedObject::set(const ComparisonParameters& p, int place, double value,
         m_mass_kg = value;
         m_bed_N_per_m = std::max(1.0, o.stiffness_N_per_m);
         m_bedDamping_Ns_per_m = o.damping_Ns_per_m;
+        m_yield = ContactYield(p.yield);
         return;
     case ComparedAttribute::deformation:
     case ComparedAttribute::roughness:

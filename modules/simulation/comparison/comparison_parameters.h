@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/attributes/object_attributes.h"
+#include "simulation/yield.h"
 
 #include <array>
 #include <cstdint>
@@ -64,7 +65,10 @@ struct ComparisonParameters {
     double probeAtLeast_N = 0.0;
     bool adjusts = false; ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
-    double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor
+    double maximumForce_N = 4.0; ///< the exercise's cap for the supervisor
+    /// How hard an object may be pressed onto its bed beyond its weight (mass): the bed then gives way, and
+    /// the object comes off the tool. By default never, as in sessions of earlier versions.
+    YieldLaw yield;
     std::vector<std::string> cues; ///< "object": the places are drawn, all alike
 };
 

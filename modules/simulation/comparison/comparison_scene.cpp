@@ -186,6 +186,7 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
         out.tissue.tools[0].force += response.force;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        out.contact[0] |= response.contact;
         if (response.touching && response.depth_m > kCheckedContactDepth_m)
             out.contact[0] |= core::contact_bits::kBeyondChecked;
         const double force_N = response.force.norm();

@@ -32,7 +32,7 @@ public:
     }
     double clearance_m(std::size_t tool, const SceneInput&, const SceneOutput& out) override {
         if (m_since[tool] > 0)
-            return m_since[tool] > kSlips_ticks ? kNothing_m : -1.0;
+            return slides(tool) ? -1.0 : kNothing_m;
         const core::LaparoscopyCues& cues = out.cues.exercise.of<core::LaparoscopyCues>();
         if (isRetractor(tool))
             return cues.fold ? m_fold.length_m - (at(cues.p_WFoldEdge) - at(cues.p_WFoldBase)).norm() : -1.0;
@@ -41,6 +41,9 @@ public:
             if ((gripOf(node, out) & bit(tool)) != 0)
                 slack_m = std::min(slack_m, slackAt_m(node, cues));
         return cues.grips > 0 ? slack_m : -1.0; // not shown: not known
+    }
+    bool slides(std::size_t tool) const override {
+        return m_since[tool] > 0 && m_since[tool] <= kSlips_ticks;
     }
     double tolerance_m() const override { return 2e-7; } ///< a recoil that has less left is over
 

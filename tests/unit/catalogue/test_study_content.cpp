@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <cmath>
 #include <set>
 
 using namespace chiron;
@@ -236,9 +237,21 @@ void TestStudyContent::whatAReplayNeedsIsStored() {
         const auto& read = level.parameters.as<simulation::ComparisonParameters>();
         QVERIFY(read.leaveBeforeAgain == is && read.freeFirst == is);
     }
+    QVERIFY(std::isinf(parameters->yield.force_N));
     condition.stimulus.attribute = psychophysics::Attribute::mass;
     condition.stimulus.reference = 0.1;
-    QVERIFY(!comparisonOf(condition, study->trial)->leaveBeforeAgain);
+    parameters = comparisonOf(condition, study->trial);
+    QVERIFY(!parameters->leaveBeforeAgain);
+    QCOMPARE(parameters->yield.force_N, 3.0 * parameters->maximumForce_N); // how hard it may be pressed
+    for (const bool is : {true, false}) {
+        if (!is) // as in sessions of earlier versions
+            parameters->yield = {};
+        const ExerciseLevel level = comparisonLevel(*parameters, "study", "a");
+        const auto& read = level.parameters.as<simulation::ComparisonParameters>();
+        QCOMPARE(read.yield.force_N, parameters->yield.force_N);
+        QCOMPARE(read.yield.fall_s, parameters->yield.fall_s);
+        QCOMPARE(level.resolvedJson.find("yield") != std::string::npos, is);
+    }
 }
 
 /// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session

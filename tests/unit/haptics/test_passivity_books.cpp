@@ -3,10 +3,13 @@
 // what comes back.
 #include "haptics/passivity_controller.h"
 
+#include "simulation/attributes/elasticity.h"
 #include "support/passive_object.h"
+#include "unit/haptics/safety_rig.h"
 
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 
@@ -72,6 +75,8 @@ private slots:
     void bookOfABodyIsThatOfP2();
     void onlyTheBookOfWhatWasShownIsRight();
     void capsAreBookedAtTheShare();
+    void aStiffeningSpringIsBookedAtNoMoreThanItHolds();
+    void aStiffeningSpringAtItsCapIsLeftAlone();
 };
 
 void TestPassivityBooks::oneBodyCannotBorrowFromAnother() {
@@ -243,6 +248,70 @@ void TestPassivityBooks::capsAreBookedAtTheShare() {
             sum += 2.0 * contact.stored_J * std::min(c * (i + 0.5) / kSteps, 0.5) / kSteps;
         QVERIFY(std::abs(held(c) - sum) < 1e-9);
     }
+}
+
+namespace {
+
+constexpr double kCap_N = 4.0;
+constexpr double kTears_N = 8.0; ///< twice the cap, where a tube tears
+
+/// The stretch at which a law pulls with `tension_N`.
+double stretchOf_m(const simulation::ElasticLaw& law, double tension_N) {
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (law.tension(middle) < tension_N ? low : high) = middle;
+    }
+    return low;
+}
+
+} // namespace
+
+/// Against ∫ min(T, cap): the same for a linear tube, and less for one that stiffens, but for 12 %.
+void TestPassivityBooks::aStiffeningSpringIsBookedAtNoMoreThanItHolds() {
+    for (const double stiffening_per_m : {0.0, 20.0, 60.0, 200.0, 1000.0}) {
+        const simulation::ElasticLaw law{60.0, stiffening_per_m};
+        const double atCap_m = stretchOf_m(law, kCap_N), torn_m = stretchOf_m(law, kTears_N);
+        for (int i = 1; i <= 100; ++i) {
+            const double x = torn_m * i / 100.0;
+            haptics::PassivityContact contact;
+            contact.members[0] = true;
+            contact.share[0] = 1.0;
+            contact.stored_J = law.energy(x);
+            contact.capRatio[0] = kCap_N / law.tension(x);
+            const double booked_J = haptics::PassivityController::renderedEnergy_J(contact, 1.0, 1);
+            const double held_J = law.energy(std::min(x, atCap_m)) + kCap_N * std::max(0.0, x - atCap_m);
+            QVERIFY(booked_J <= held_J * (1.0 + 1e-9));
+            QVERIFY(booked_J >= (stiffening_per_m > 0.0 ? 0.88 : 1.0 - 1e-9) * held_J);
+        }
+    }
+}
+
+/// Slowly out to where it tears and back again: nothing is rendered softer, and nobody gets more than was put
+/// in.
+void TestPassivityBooks::aStiffeningSpringAtItsCapIsLeftAlone() {
+    const simulation::ElasticLaw law{60.0, 60.0};
+    const double torn_m = stretchOf_m(law, kTears_N);
+    devices::DeviceDescriptor device = test::sixAxisDevice();
+    device.inProcess = true;
+    device.oldestSample_us = 0;
+    test::SafetyRig rig(device);
+    rig.arm();
+    double most_N = 0.0;
+    for (int tick = 1; tick < 4000; ++tick) {
+        const double x = torn_m * (1.0 - std::abs(tick - 2000) / 2000.0);
+        rig.states.tools[0].p_WT = core::Vec3(x, 0, 0);
+        rig.ask(core::Vec3(-law.tension(x), 0, 0));
+        rig.scene.energyByBody = true;
+        rig.scene.bodyEnergy_J[0] = law.energy(x);
+        rig.scene.bodyStiffness_N_per_m[0] = law.slope(x);
+        rig.tick();
+        most_N = std::max(most_N, rig.force().norm());
+        QVERIFY((rig.out.guards & core::guard_bits::kPassivity) == 0);
+        QVERIFY(rig.out.energySupplied_J > -1e-3);
+    }
+    QVERIFY(std::abs(most_N - kCap_N) < 1e-9);
+    QVERIFY(std::abs(rig.out.energySupplied_J) < 1e-3);
 }
 
 QTEST_APPLESS_MAIN(TestPassivityBooks)

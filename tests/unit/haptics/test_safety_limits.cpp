@@ -384,6 +384,13 @@ void TestSafetyLimits::configureRefusesNonsense() {
     device.period_us = 0;
     QVERIFY(!SafetyRig(device).accepted);
     device = sixAxisDevice();
+    device.oldestSample_us = 8000; // energy is balanced for samples as old as this
+    QVERIFY(SafetyRig(device).accepted);
+    device.oldestSample_us = 8001;
+    QVERIFY(!SafetyRig(device).accepted);
+    device.rendersForce = false;
+    QVERIFY(SafetyRig(device).accepted);
+    device = sixAxisDevice();
     device.axes.clear();
     QVERIFY(!SafetyRig(device).accepted);
     device = sixAxisDevice();

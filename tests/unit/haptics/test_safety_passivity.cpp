@@ -8,9 +8,11 @@
 #include "unit/haptics/safety_rig.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 using namespace chiron;
@@ -77,6 +79,8 @@ private slots:
     void injectionDoesNotFollowACountingVelocity();
     void contactEndClearsTheBooks();
     void whatASofterBodySparesIsNotWithheld();
+    void theLateBookIsAsLateAsTheDeviceStates();
+    void eachToolIsLateByItself();
     void rubbishEnergyDoesNoHarm();
     void configuredAgainItIsAsNew();
 };
@@ -343,6 +347,70 @@ void TestSafetyPassivity::whatASofterBodySparesIsNotWithheld() {
         press(-0.006 + 5e-5 * tick, 0.05);
     QVERIFY(rig->out.energyWithheld_J > 0.0005);
     QVERIFY(std::abs(rig->out.energyWithheld_J - (rig->out.energyKept_J + spared_J)) < 1e-12);
+}
+
+namespace {
+
+/// The tick at which a body that is pressed in and out is rendered softer; no value: it never is.
+std::optional<int> softenedAt(const devices::DeviceDescriptor& device) {
+    constexpr double kStiffness_N_per_m = 200.0, kDepth_m = 0.008, kSwing_m = 0.005, kRate_per_s = 12.0;
+    SafetyRig rig(device);
+    rig.arm();
+    for (int tick = 0; tick < 2800; ++tick) {
+        const double swing = tick < 200 ? 0.0 : kSwing_m * std::sin(kRate_per_s * kT * (tick - 200));
+        pressWall(rig, -(kDepth_m * std::min(1.0, tick / 200.0) + swing), 0.0, kStiffness_N_per_m);
+        rig.scene.energyByBody = true;
+        rig.scene.bodyEnergy_J[0] = rig.scene.storedEnergy_J;
+        rig.scene.bodyStiffness_N_per_m[0] = rig.scene.contactStiffness_N_per_m;
+        rig.tick();
+        if ((rig.out.guards & guard_bits::kPassivity) != 0)
+            return tick;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+/// The energy that a swing costs by samples that come n ticks late grows with n: n is what the device states,
+/// and at least what its packets make.
+void TestSafetyPassivity::theLateBookIsAsLateAsTheDeviceStates() {
+    devices::DeviceDescriptor device = sixAxisDevice();
+    const auto usual = softenedAt(device); // 3 ms, as of every device that states nothing
+    QVERIFY(usual);
+    device.inProcess = true;
+    QCOMPARE(softenedAt(device), usual); // as simulated mechanisms are
+    device.oldestSample_us = 2001;       // whole ticks
+    QCOMPARE(softenedAt(device), usual);
+    device.oldestSample_us = 0;
+    QVERIFY(!softenedAt(device)); // punctual samples: a spring is a spring
+    device.oldestSample_us = 8000;
+    const auto late = softenedAt(device);
+    QVERIFY(late && *late < *usual);
+    device.inProcess = false;
+    device.oldestSample_us = 0;
+    device.period_us = 4000; // two periods
+    QCOMPARE(softenedAt(device), late);
+}
+
+void TestSafetyPassivity::eachToolIsLateByItself() {
+    const haptics::PassivityObserver::Ages late_ticks{0, 1, 3, 8};
+    for (std::size_t tool = 0; tool < late_ticks.size(); ++tool) {
+        haptics::PassivityObserver observer;
+        core::ToolStates states;
+        core::ToolWrenches shown;
+        states.count = shown.count = core::kMaxTools;
+        double late_J = 0.0, punctual_J = 0.0;
+        for (int tick = 0; tick < 30; ++tick) {
+            observer.addWork(states, late_ticks); // of 1 mm since the tick before
+            punctual_J -= 1e-3 * std::max(0, tick - 1);
+            late_J -= 1e-3 * std::max(0, tick - 1 - static_cast<int>(late_ticks[tool]));
+            QVERIFY(std::abs(observer.supplied_J() - punctual_J) < 1e-12);
+            QVERIFY(std::abs(observer.late_J() - late_J) < 1e-12);
+            shown.tools[tool].force = Vec3(tick, 0, 0);
+            observer.hold(states, shown);
+            states.tools[tool].p_WT.x() += 1e-3;
+        }
+    }
 }
 
 void TestSafetyPassivity::rubbishEnergyDoesNoHarm() {

@@ -60,6 +60,7 @@ devices::DeviceDescriptor awkwardDevice() {
     d.maximumDamping_Ns_per_m = 33.3;
     d.frictionCompensation = 0.8 / 3.0;
     d.serialNumber = "SN-7 Ω";
+    d.oldestSample_us = 5678;
     return d;
 }
 
@@ -67,10 +68,13 @@ bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// Keys that earlier versions did not write: not there is their old meaning, 0.
-const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"),
-                         QStringLiteral("friction_compensation"), QStringLiteral("serial_number"),
-                         QStringLiteral("capKnee")};
+/// Keys that earlier versions did not write: not there is their old meaning.
+const QStringList kLater{QStringLiteral("coulomb_friction"),
+                         QStringLiteral("viscous_friction"),
+                         QStringLiteral("friction_compensation"),
+                         QStringLiteral("serial_number"),
+                         QStringLiteral("capKnee"),
+                         QStringLiteral("oldest_sample_us")};
 
 /// Every member taken away, and every member of another type: the error names the key.
 template <class Read> void checkDamage(const QJsonObject& good, const QString& place, Read read) {
@@ -142,10 +146,14 @@ void TestSessionJson::deviceComesBack() {
     QVERIFY(same(after->maximumDamping_Ns_per_m, before.maximumDamping_Ns_per_m));
     QVERIFY(same(after->frictionCompensation, before.frictionCompensation));
     QCOMPARE(after->serialNumber, before.serialNumber);
+    QCOMPARE(after->oldestSample_us, before.oldestSample_us);
     devices::DeviceDescriptor untold = before;
     untold.serialNumber.clear();
+    untold.oldestSample_us = devices::kUsualOldestSample_us;
     QVERIFY(!session::toJson(untold).contains("serial_number")); // the text of a session as it always was
-    QJsonObject older = session::toJson(before);                 // as versions before wrote it
+    QVERIFY(!session::toJson(untold).contains("oldest_sample_us"));
+    QCOMPARE(session::descriptorFromJson(session::toJson(untold))->oldestSample_us, 3000u);
+    QJsonObject older = session::toJson(before); // as versions before wrote it
     older.remove("friction_compensation");
     QCOMPARE(session::descriptorFromJson(older)->frictionCompensation, 0.0);
     // A field added to the descriptor but not to its JSON would be lost in silence.

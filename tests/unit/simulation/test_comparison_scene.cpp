@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "comparison_driver.h"
 
+#include "core/contact_bits.h"
 #include "core/fp_environment.h"
 #include "core/units.h"
 #include "cues/laparoscopy_cues.h"
@@ -35,6 +36,8 @@ private slots:
     void eachAttribute();
     void tubesPullAsTheirValueSays();
     void objectsWeighAsTheirValueSays();
+    void anObjectComesOffWherePressedTooHard();
+    void whatIsHeavyIsLiftedAllTheSame();
     void padsPushAlikeWhereTheyDoNotDiffer();
     void everyConstantOfAPadIsFelt();
     void controlsAreFaultsOfTheRendering();
@@ -114,6 +117,84 @@ void TestComparisonScene::objectsWeighAsTheirValueSays() {
         d.moveTo(lies + Vec3(0.0, 0.0, 0.03), 0.3);
         QCOMPARE(d.force().norm(), 0.0); // lifted, pressed and released: let go
     }
+}
+
+namespace {
+
+/// An object taken hold of at its ring; `rest_m`: the height of the tip at which the object lies.
+struct Taken {
+    explicit Taken(const ComparisonParameters& p) : d(p) {
+        d.witness = [this](const SceneOutput& out) {
+            up_N = std::max(up_N, out.tissue.tools[0].force.z());
+            yields += (out.contact[0] & core::contact_bits::kYielded) != 0 ? 1 : 0;
+        };
+        d.startRunning();
+        d.moveTo(d.at(0, d.hook_m() + 0.03), 0.3);
+        d.moveTo(d.at(0, d.hook_m()), 0.4);
+        rest_m = d.tool().p_WT.z() - d.quantity(q::kDisplacement);
+    }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    void goTo(double above_m, double seconds) { d.moveTo(d.at(0, rest_m + above_m), seconds); }
+    ComparisonDriver d;
+    double rest_m = 0.0, up_N = 0.0;
+    int yields = 0;
+};
+
+} // namespace
+
+/// A hand that goes on below the table pushes the object off its tool: the force never exceeds what the bed
+/// bears, falls without a jerk, and is gone. Up to there, and in sessions of earlier versions, nothing
+/// differs.
+void TestComparisonScene::anObjectComesOffWherePressedTooHard() {
+    constexpr double kBears_N = 12.0;
+    for (const bool damped : {false, true}) {
+        ComparisonParameters p =
+            damped ? compared(ComparedAttribute::mass) : lossless(ComparedAttribute::mass);
+        p.exploreLimit_s = 0.0;
+        Taken before(p);
+        p.yield.force_N = kBears_N;
+        Taken now(p);
+        for (Taken* each : {&before, &now}) {
+            each->goTo(0.02, 0.3);
+            each->goTo(-0.027, 0.8); // 10.8 N at 400 N/m
+        }
+        QVERIFY(now.up_N > 10.0 && now.up_N < kBears_N && now.yields == 0);
+        QCOMPARE(now.d.force().z(), before.d.force().z());
+        QCOMPARE(now.d.work_J, before.d.work_J);
+        QCOMPARE(now.d.out.storedEnergy_J, before.d.out.storedEnergy_J);
+
+        now.d.largestStep_N = now.d.largestMade_J = 0.0;
+        before.goTo(-0.16, 0.8);
+        now.goTo(-0.16, 0.8);
+        QVERIFY(before.up_N > 60.0); // whatever the hand does
+        QVERIFY2(now.up_N <= kBears_N * (1.0 + 1e-12), qPrintable(QString::number(now.up_N)));
+        QCOMPARE(now.yields, 1);
+        QVERIFY2(now.d.largestStep_N < 1.2, qPrintable(QString::number(now.d.largestStep_N)));
+        QVERIFY2(now.d.largestMade_J < 2e-5, qPrintable(QString::number(now.d.largestMade_J)));
+        QVERIFY(now.d.force() == Vec3::Zero() && now.d.out.storedEnergy_J == 0.0 &&
+                now.d.out.contactStiffness_N_per_m == 0.0 && now.d.out.contact[0] == 0);
+        QCOMPARE(now.d.quantity(q::kPlace), 0.0);
+
+        now.goTo(-0.02, 0.5); // nothing is held on the way back ...
+        QVERIFY(now.d.force() == Vec3::Zero());
+        now.goTo(0.03, 0.5); // ... and the object lies where it is always taken hold of
+        QVERIFY(std::abs(now.d.force().z() + *now.d.scene.valueAt({0, 0}, 0) * core::kStandardGravity) <
+                1e-9);
+        QCOMPARE(now.yields, 1);
+    }
+}
+
+/// Its weight alone never takes an object off the tool, be it more than the bed bears.
+void TestComparisonScene::whatIsHeavyIsLiftedAllTheSame() {
+    ComparisonParameters p = lossless(ComparedAttribute::mass);
+    p.yield.force_N = 12.0;
+    p.values = {{2.0, 2.0, 2.0}};
+    Taken heavy(p);
+    heavy.goTo(0.07, 1.0);
+    QVERIFY(std::abs(heavy.d.force().z() + 2.0 * core::kStandardGravity) < 1e-9);
+    QCOMPARE(heavy.yields, 0);
+    QCOMPARE(heavy.d.quantity(q::kPlace), 1.0);
 }
 
 /// Where a smallest force is asked for an object counts from exactly that force on; where none is, as before,

@@ -34,6 +34,7 @@ private slots:
     void aFoldLetsNoEnergyOut();
     void transferFromHandToHand();
     void letGoIsDropped();
+    void whatSlidesOutOfTheJawsOnlyFalls();
     void tearing();
     void theCheckedRangeEndsAtTheTear();
     void theCheckedRangeOfAPull();
@@ -279,6 +280,36 @@ void TestElasticTubeTasks::transferFromHandToHand() {
     d.ticks(700);
     QVERIFY(d.events & bits::kCompleted);
     QVERIFY(!(d.events & (bits::kFailed | bits::kDamaged)));
+}
+
+/// Wherever the hand goes meanwhile: along the pull of what it had held, and for a tenth of a second. This is
+/// friction and no potential; a hand that goes along gets no more than half of the pull over that way.
+void TestElasticTubeTasks::whatSlidesOutOfTheJawsOnlyFalls() {
+    constexpr double kSpeed_m_per_s = 0.3;
+    for (const Vec3& way : {Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 0, 0)}) {
+        TubeDriver d(tubeExercise(TubeTask::hold));
+        d.startRunning();
+        d.grasp(0, 1);
+        d.moveTo(0, placeOfTension(d, 1.0));
+        d.ticks(10);
+        const Vec3 from = d.force(0);
+        QVERIFY(std::abs(from.norm() - 1.0) < 1e-9);
+        d.open(0);
+        const Vec3 step = kSpeed_m_per_s * core::kTickSeconds * way;
+        double before = 1.0, work_J = 0.0;
+        for (int tick = 0; tick < 110; ++tick) {
+            const double share = d.force(0).dot(from) / from.squaredNorm();
+            QVERIFY((d.force(0) - share * from).norm() < 1e-12);
+            QVERIFY(share >= 0.0 && share <= before);
+            QCOMPARE(share == 0.0, tick >= 99);
+            before = share;
+            work_J += d.force(0).dot(step);
+            d.tool(0).p_WT += step;
+            d.tool(0).v_WT = kSpeed_m_per_s * way;
+            d.tick();
+        }
+        QVERIFY2(work_J < 0.0501 * kSpeed_m_per_s * from.norm(), qPrintable(QString::number(work_J)));
+    }
 }
 
 void TestElasticTubeTasks::letGoIsDropped() {

@@ -33,6 +33,7 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
     d.measuresForce = true;
     d.inProcess = true;
     d.period_us = 1000;
+    d.oldestSample_us = kOldestSample_us;
     d.maximumForce_N = 4.5; // P1: along x and y
     // In a light hand it shakes on friction from 37.5 N·s/m on; this is two thirds of that
     // (tests/damping/README.md).

@@ -143,6 +143,7 @@ DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration
     d.measuresForce = true;
     d.inProcess = true;
     d.period_us = 1000;
+    d.oldestSample_us = kOldestSample_us;
     d.maximumForce_N = 4.0; // P3 §2.1, on the pad
     // Encoder counts can be felt from 45 N·s/m on; this is two thirds of that (tests/damping/README.md).
     d.maximumDamping_Ns_per_m = 30.0;

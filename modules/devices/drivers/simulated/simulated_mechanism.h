@@ -3,6 +3,7 @@
 
 #include "devices/api/device.h"
 #include "devices/api/workspace_map.h"
+#include "mechanisms/encoder_line.h"
 #include "mechanisms/hand.h"
 #include "mechanisms/jaw.h"
 #include "mechanisms/plant.h"
@@ -13,6 +14,9 @@
 #include <optional>
 
 namespace chiron::devices {
+
+/// What every simulated mechanism states, whatever delay its plant is given.
+inline constexpr std::uint32_t kOldestSample_us = 1000u * mechanisms::kMostSampleDelay_ticks;
 
 /// The hand that holds a simulated mechanism, whichever mechanism it is.
 struct SimulatedHandSettings {

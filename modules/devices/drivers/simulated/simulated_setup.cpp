@@ -52,6 +52,7 @@ DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
     d.measuresForce = true;
     d.inProcess = true;
     d.period_us = 1000;
+    d.oldestSample_us = kOldestSample_us;
     d.maximumForce_N = d.axes[3].continuousRating; // P2: about 3 N in each direction
     // Encoder counts can be felt from 60 N·s/m on; this is three fifths of that (tests/damping/README.md).
     d.maximumDamping_Ns_per_m = 35.0;

@@ -91,7 +91,7 @@ std::uint8_t ElasticTubeScene::contactOf(bool fold, bool beyondChecked) const no
 }
 
 /// The pull on a tool. It continues for a short time after the tool lets go, while the tube slides out of its
-/// jaws.
+/// jaws: friction, which is no part of the tube's potential (models.md §2.4).
 core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept {
     Slip& slip = m_slips[tool];
     if (holds) {

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kT = core::kTickSeconds;
 /// Stiffness with which the rim of the field lets objects that were pushed away roll back, so that a trial
-/// can go on (assumption).
+/// can go on (assumption). It acts on free objects alone, never on a tool or on what a tool holds, and is no
+/// part of the energy balance (docs/exercises.md, Object handling).
 constexpr double kRim_N_per_m = 100.0;
 /// A free body slower than this lies still; its height and energy there are the reference for lifting
 /// (assumption).
