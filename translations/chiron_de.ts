@@ -430,7 +430,7 @@
     </message>
     <message>
         <source>Click, or press Enter. When nothing is left to report, press D.</source>
-        <translation>Klicken Sie oder drücken Sie die Eingabetaste. Ist nichts mehr zu melden, drücken Sie D.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter. Ist nichts mehr zu melden, drücken Sie D.</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
-        <translation>Klicken Sie oder drücken Sie die Eingabetaste, während Sie die Stelle berühren.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter, während Sie die Stelle berühren.</translation>
     </message>
     <message>
         <source>Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.</source>
@@ -4173,7 +4173,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Return</source>
-        <translation>Eingabe</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -12602,7 +12602,7 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
 Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
         <translation>Jede Person beantwortet diese Fragen einmal, oder einmal zu jeder Bedingung.
 
-Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
+Mit Tab gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
     </message>
     <message>
         <source>Each participant answers it once about each condition.</source>
@@ -13038,7 +13038,7 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     </message>
     <message>
         <source>Go (Enter)</source>
-        <translation>Los (Eingabe)</translation>
+        <translation>Los (Enter)</translation>
     </message>
     <message>
         <source>Practise for a minute</source>

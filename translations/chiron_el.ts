@@ -406,7 +406,7 @@
     </message>
     <message>
         <source>Move the mouse with the right button or Shift held.</source>
-        <translation>Μετακινήστε το ποντίκι με πατημένο το δεξί πλήκτρο ή το Shift.</translation>
+        <translation>Μετακινήστε το ποντίκι με πατημένο το δεξί κουμπί ή το Shift.</translation>
     </message>
     <message>
         <source>Move</source>
@@ -450,7 +450,7 @@
     </message>
     <message>
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
-        <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό πλήκτρο, ή το H.</translation>
+        <translation>Κρατήστε το αριστερό κουμπί ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό κουμπί, ή το H.</translation>
     </message>
     <message>
         <source>Take the handle and move it: the tool moves with it.</source>
@@ -4173,7 +4173,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Return</source>
-        <translation>Return</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -4189,15 +4189,15 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>PgUp</source>
-        <translation>PgUp</translation>
+        <translation>Page Up</translation>
     </message>
     <message>
         <source>PgDown</source>
-        <translation>PgDown</translation>
+        <translation>Page Down</translation>
     </message>
     <message>
         <source>Del</source>
-        <translation>Del</translation>
+        <translation>Delete</translation>
     </message>
 </context>
 <context>
@@ -5388,7 +5388,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
-        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
     </message>
     <message>
         <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
@@ -12525,7 +12525,7 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
     </message>
     <message>
         <source>Not answered yet: move the slider, or press Space to leave it in the middle.</source>
-        <translation>Δεν έχει απαντηθεί ακόμη: μετακινήστε το ρυθμιστικό ή πατήστε το διάστημα για να μείνει στη μέση.</translation>
+        <translation>Δεν έχει απαντηθεί ακόμη: μετακινήστε το ρυθμιστικό ή πατήστε το Διάστημα για να μείνει στη μέση.</translation>
     </message>
     <message>
         <source>Step %1 of %2</source>
@@ -16819,7 +16819,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
-        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>

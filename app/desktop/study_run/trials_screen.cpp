@@ -65,7 +65,7 @@ QString TrialsScreen::help() const {
     return paragraphs(
         {tr("Here a participant explores objects and answers."),
          tr("Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the "
-            "wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again "
+            "wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again "
             "and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they "
             "are enabled."),
          tr("In practice, Backspace takes an answer back."), keys + QLatin1Char(' ') + afterStopText(),
