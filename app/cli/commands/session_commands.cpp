@@ -133,7 +133,7 @@ std::vector<CommandSpec> sessionCommands() {
     listing.summary = QStringLiteral("the sessions that you may see; without --as the simulated ones");
     listing.options = {
         {QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("only of this exercise")},
-        {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most so many")},
+        {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most this many")},
         {QStringLiteral("archived"), {}, QStringLiteral("archived ones too")}};
     listing.example = QStringLiteral("chiron-cli session list --exercise sphere_apex");
     listing.run = list;

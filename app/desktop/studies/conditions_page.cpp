@@ -418,7 +418,8 @@ void ConditionsPage::addTask(FieldGrid& grid) {
                          [&](Condition& changed) { changed.criterion = now / kPercent; });
                 });
     grid.explain(QStringLiteral("condition.criterion"),
-                 tr("The threshold is the difference at which so many answers are right."), {1, 99, 75});
+                 tr("The threshold is the difference at which this share of the answers is right."),
+                 {1, 99, 75});
 }
 
 QWidget* ConditionsPage::tableBox() {

@@ -88,9 +88,10 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
                                  [now](StudyDesign& design) { design.participantsPlanned = now; });
                 });
     constexpr UsualNumber kParticipants{1, 100000, 12};
-    grid->explain(QStringLiteral("design.planned"),
-                  tr("How many people are to take part; Preview shows what so many can find out."),
-                  kParticipants);
+    grid->explain(
+        QStringLiteral("design.planned"),
+        tr("How many people are to take part; Preview shows which difference this number can detect."),
+        kParticipants);
     addAim(*grid, page);
     grid->text(
         tr("Source of the design"), QStringLiteral("design.source"),

@@ -142,7 +142,7 @@ QWidget* PreviewPage::observerGrid() {
     }
     grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000,
                 [this](int now) { m_runs = now; });
-    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer, and their figures are surer."),
+    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer and give more precise figures."),
                   {5, 2000, 40});
     return grid;
 }

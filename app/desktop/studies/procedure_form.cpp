@@ -377,12 +377,12 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
                     [units](double percent) { return units.distanceOf(percent); }},
                    tr("Spreads of the answers between these are considered possible."), taken);
     else if (grid.name == "lapse_rate" || grid.name == "lower_asymptote")
-        sharesField(
-            study_words::parameter(grid.name), key, grid.values, {0, kPercent, 1, QStringLiteral("%")},
-            grid.name == "lapse_rate"
-                ? tr("Shares of wrong answers although the difference is felt that are considered possible.")
-                : tr("Share of answers that are right by guessing: 50 % of two alternatives."),
-            taken);
+        sharesField(study_words::parameter(grid.name), key, grid.values,
+                    {0, kPercent, 1, QStringLiteral("%")},
+                    grid.name == "lapse_rate"
+                        ? tr("Possible shares of wrong answers to differences that are felt.")
+                        : tr("Share of answers that are right by guessing: 50 % with two alternatives."),
+                    taken);
     else {
         list(study_words::parameter(grid.name), key, grid.values, taken);
         explain(key, grid.name == "slope" ? tr("Slopes that are considered possible: how steeply right "

@@ -100,7 +100,7 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
                   tr("Time until the next objects come."), 1);
     fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 200,
                  tr("At the largest difference, with feedback, before each condition; never scored."), 4);
-    fields.whole(tr("Break after so many trials"), "break_every", &TrialRules::breakEvery, 0, 10000,
+    fields.whole(tr("Trials between breaks"), "break_every", &TrialRules::breakEvery, 0, 10000,
                  tr("Participants rest before they go on; 0: never."), 40);
     fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10},
                   tr("Participants go on after this time at the earliest."), 30);
@@ -249,7 +249,7 @@ QWidget* RulesPage::fidelityBox(const DesignPage& page) {
                   {0.001, 10, 3, QStringLiteral("m/s"), 0.01},
                   tr("How fast a participant may move, on average."), 0.2);
     fields.whole(tr("Repeats of one trial"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100,
-                 tr("After so many the run pauses and asks the experimenter."), 5);
+                 tr("After this many repeats the run pauses and asks the experimenter."), 5);
     box.layout->addWidget(grid);
     return box.frame;
 }
