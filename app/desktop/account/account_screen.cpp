@@ -258,7 +258,7 @@ void AccountScreen::saveName() {
             renewName();
             m_fullName->setFocus();
             if (done)
-                m_nameNotice->say("good", name.isEmpty() ? tr("You are now shown with your login name alone.")
+                m_nameNotice->say("good", name.isEmpty() ? tr("Others now see only your login name.")
                                                          : tr("Your name is now %1.").arg(name));
             else
                 m_nameNotice->say("bad", tr("Your name was not changed.\n%1").arg(inWords(done.error())));

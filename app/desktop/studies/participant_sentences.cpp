@@ -160,7 +160,7 @@ QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
     if (judged)
         said << words(inPractice
                           ? QT_TRANSLATE_NOOP("ParticipantSentences",
-                                              "Only in practice you are told whether your answer was right.")
+                                              "Only in practice are you told whether your answer was right.")
                       : view.feedback
                           ? QT_TRANSLATE_NOOP("ParticipantSentences",
                                               "After each trial you are told whether your answer was right.")
@@ -170,7 +170,7 @@ QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
         said << words(
             inPractice ? QT_TRANSLATE_NOOP(
                              "ParticipantSentences",
-                             "Only in practice you are told how far your mark is from the highest point.")
+                             "Only in practice are you told how far your mark is from the highest point.")
             : view.feedback
                 ? QT_TRANSLATE_NOOP(
                       "ParticipantSentences",

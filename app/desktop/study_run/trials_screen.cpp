@@ -66,7 +66,8 @@ QString TrialsScreen::help() const {
         {tr("Here a participant explores objects and answers."),
          tr("Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the "
             "wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again "
-            "and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they "
+            "and does not count as an answer. Answer with the buttons or with the keys shown on them, as "
+            "soon as they "
             "are enabled."),
          tr("In practice, Backspace takes an answer back."), keys + QLatin1Char(' ') + afterStopText(),
          tr("F2 is for the experimenter.")});
@@ -157,13 +158,13 @@ QString TrialsScreen::furtherPartText() const {
     });
     QStringList said;
     const bool own = !partText().isEmpty();
-    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and "
-                          "how you answer it.")
-             : own   ? tr("Apart from this, you explore and answer as in the part before.")
-                     : tr("You explore and answer as in the part before, unless the experimenter tells you "
+    said << (differs ? tr("What you do may differ from the previous part: the next page shows the question "
+                          "and how you answer it.")
+             : own   ? tr("Apart from this, you explore and answer as in the previous part.")
+                     : tr("You explore and answer as in the previous part, unless the experimenter tells you "
                             "otherwise."));
     if (otherNumber)
-        said << tr("The number of trials may be another.");
+        said << tr("The number of trials may differ.");
     const auto part =
         std::find_if(study.parts.begin(), study.parts.end(),
                      [&](const session::PartView& each) { return each.condition == m_live->condition().id; });

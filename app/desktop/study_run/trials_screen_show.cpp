@@ -209,7 +209,7 @@ QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, doubl
     if (reason == "time")
         return tr("No answer came in time.");
     if (reason == "experimenter")
-        return tr("The experimenter took it out.");
+        return tr("The experimenter discarded it.");
     return tr("The device did not work accurately enough in it. That was not your doing.");
 }
 
@@ -226,7 +226,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::trying: {
         const QString held =
             isTakenHold(m_live->condition().stimulus.attribute) ? holdWords(view) : QString();
-        return held.isEmpty() ? tr("The answers are here. They are taken once the trials begin.") : held;
+        return held.isEmpty() ? tr("You will answer here once the trials begin.") : held;
     }
     case State::coming:
         if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones

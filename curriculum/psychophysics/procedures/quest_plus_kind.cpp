@@ -79,7 +79,7 @@ Parameter functionRow() {
          .title = QT_TRANSLATE_NOOP("Procedures", "Psychometric function"),
          .meaning = QT_TRANSLATE_NOOP(
              "Procedures", "The shape by which right answers are assumed to grow with the difference."),
-         .change = QT_TRANSLATE_NOOP("Procedures", "Another function"),
+         .change = QT_TRANSLATE_NOOP("Procedures", "Change of the function"),
          .wordsFor = functionsFor,
          .follow = takeGridsOfFunction});
 }

@@ -600,7 +600,7 @@ void TestStudyDesign::whatIsRemovedComesBack() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
     late();
-    QVERIFY(told.back().text.contains(QStringLiteral("left since")));
+    QVERIFY(told.back().text.contains(QStringLiteral("left the study since then")));
 }
 
 /// The differences are spaced geometrically, and the text says so; ends that are the wrong way round are told
