@@ -418,7 +418,7 @@
     </message>
     <message>
         <source>Close the jaw</source>
-        <translation>Fasszange schließen</translation>
+        <translation>Branchen schließen</translation>
     </message>
     <message>
         <source>Press</source>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>Close the grip of the handle. To open the jaw, open the grip.</source>
-        <translation>Schließen Sie den Griff. Zum Öffnen des Mauls öffnen Sie ihn.</translation>
+        <translation>Schließen Sie den Griff. Zum Öffnen der Branchen öffnen Sie ihn.</translation>
     </message>
     <message>
         <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
@@ -1191,23 +1191,23 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Nothing was grasped. Open the jaws and try again.</source>
-        <translation>Nichts gefasst. Öffnen Sie das Maul und versuchen Sie es noch einmal.</translation>
+        <translation>Nichts gefasst. Öffnen Sie die Branchen und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Der Rand der Falte war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Der Rand der Falte war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Das Objekt war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Das Objekt war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Die Stelle, an der sich der Schlauch fassen lässt, war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Die Stelle, an der sich der Schlauch fassen lässt, war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing is grasped: the jaws are closed. Open them wide, then close them here.</source>
-        <translation>Nichts gefasst: Das Maul ist geschlossen. Öffnen Sie es weit und schließen Sie es dann hier.</translation>
+        <translation>Nichts gefasst: Die Branchen sind geschlossen. Öffnen Sie sie weit und schließen Sie sie dann hier.</translation>
     </message>
 </context>
 <context>
@@ -2033,7 +2033,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The largest force with which the jaws squeezed what they held.</source>
-        <translation>Die größte Kraft, mit der das Maul zusammendrückte, was es hielt.</translation>
+        <translation>Die größte Kraft, mit der die Branchen zusammendrückten, was sie hielten.</translation>
     </message>
     <message>
         <source>Time squeezing too hard</source>
@@ -7008,15 +7008,15 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -8623,7 +8623,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
-        <translation>Eine aufgezeichnete Bewegung (CSV, mit Maul) führt die Instrumente.</translation>
+        <translation>Eine aufgezeichnete Bewegung (CSV, mit den Branchen) führt die Instrumente.</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
@@ -9603,7 +9603,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>jaw (°)</source>
-        <translation>Maul (°)</translation>
+        <translation>Branchen (°)</translation>
     </message>
     <message>
         <source>%1, tip (mm)</source>
@@ -10873,11 +10873,11 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     </message>
     <message>
         <source>%1: squeeze of the jaw</source>
-        <translation>%1: Druck der Branchen</translation>
+        <translation>%1: Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>Squeeze of the jaw</source>
-        <translation>Druck der Branchen</translation>
+        <translation>Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>N</source>
@@ -11546,7 +11546,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>Squeeze of the jaws</source>
-        <translation>Quetschkraft des Mauls</translation>
+        <translation>Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>band, from</source>

@@ -207,7 +207,7 @@
     </message>
     <message>
         <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
-        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τα σκέλη της λαβίδας αν τον συνέσφιξαν</translation>
+        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τις σιαγόνες αν τον συνέσφιξαν</translation>
     </message>
 </context>
 <context>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>Close the grip of the handle. To open the jaw, open the grip.</source>
-        <translation>Κλείστε τη λαβή. Για να ανοίξει η σιαγόνα, ανοίξτε τη λαβή.</translation>
+        <translation>Κλείστε τη λαβή. Για να ανοίξουν οι σιαγόνες, ανοίξτε τη λαβή.</translation>
     </message>
     <message>
         <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
@@ -7008,15 +7008,15 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -7040,7 +7040,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
-        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τα στον αέρα με το O, κατεβάστε τα, κλείστε τα με το G.</translation>
+        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τις στον αέρα με το O, κατεβάστε τις, κλείστε τις με το G.</translation>
     </message>
     <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
@@ -7080,7 +7080,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
-        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
+        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
     </message>
     <message>
         <source>Space: pause. Esc: stop force. F5: start again.</source>
@@ -8623,7 +8623,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
-        <translation>Μια καταγεγραμμένη κίνηση (CSV, με τη σιαγόνα) κινεί τα εργαλεία.</translation>
+        <translation>Μια καταγεγραμμένη κίνηση (CSV, με τις σιαγόνες) κινεί τα εργαλεία.</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
@@ -9603,7 +9603,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>jaw (°)</source>
-        <translation>σιαγόνα (°)</translation>
+        <translation>σιαγόνες (°)</translation>
     </message>
     <message>
         <source>%1, tip (mm)</source>
@@ -10873,11 +10873,11 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     </message>
     <message>
         <source>%1: squeeze of the jaw</source>
-        <translation>%1: σύσφιγξη της λαβίδας</translation>
+        <translation>%1: σύσφιξη των σιαγόνων</translation>
     </message>
     <message>
         <source>Squeeze of the jaw</source>
-        <translation>Σύσφιγξη της λαβίδας</translation>
+        <translation>Σύσφιξη των σιαγόνων</translation>
     </message>
     <message>
         <source>N</source>
