@@ -7914,11 +7914,11 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation>Durchgesehen, nichts hinzuzufügen</translation>
+        <translation>Begutachtet, nichts hinzuzufügen</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation>Durchgesehen. Nichts hinzuzufügen.</translation>
+        <translation>Begutachtet. Nichts hinzuzufügen.</translation>
     </message>
     <message>
         <source>Reply</source>
@@ -11953,7 +11953,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als durchgesehen. %1 wird unter „Start“ darauf hingewiesen.</translation>
+        <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als begutachtet. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
     <message>
         <source>This session was void and counts again. The debrief says who decided it and why.</source>
@@ -12147,13 +12147,13 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>standard error of one participant&apos;s bias</source>
-        <translation>Standardfehler der Abweichung einer Person</translation>
+        <translation>Standardfehler der Verschiebung einer Person</translation>
     </message>
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-            <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
-            <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
+            <numerusform>Standardfehler der Verschiebung von %n Person, falls sie sich nicht unterscheiden</numerusform>
+            <numerusform>Standardfehler der Verschiebung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
         </translation>
     </message>
     <message>
@@ -13275,11 +13275,11 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
     <message>
         <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
-        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Jemand, der laut Sicherung zur Administration gehört, muss zustimmen.</translation>
     </message>
     <message>
         <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
-        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Jemand, der laut Sicherung zur Administration gehört, muss zustimmen.</translation>
     </message>
     <message>
         <source>The damaged file has a different administrator or password</source>
@@ -13350,7 +13350,7 @@ An administrator of the backup has to give the password. The damaged file is nev
 
 Die Liste zeigt die Sicherungen an den Orten, die dieser Computer kennt, die neueste zuerst, und ob jede verwendet werden kann. Mit „Datei wählen“ nehmen Sie eine von einer anderen Festplatte: Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.
 
-Eine Person aus der Administration der Sicherung muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
+Jemand, der laut Sicherung zur Administration gehört, muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
     </message>
     <message>
         <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>

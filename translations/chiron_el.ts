@@ -7914,11 +7914,11 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation>Ελέγχθηκε, τίποτα να προστεθεί</translation>
+        <translation>Αξιολογήθηκε, τίποτα να προστεθεί</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation>Ελέγχθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
+        <translation>Αξιολογήθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
     </message>
     <message>
         <source>Reply</source>
@@ -11953,7 +11953,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται ελεγμένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
+        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται αξιολογημένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
     </message>
     <message>
         <source>This session was void and counts again. The debrief says who decided it and why.</source>
@@ -12147,13 +12147,13 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>standard error of one participant&apos;s bias</source>
-        <translation>τυπικό σφάλμα της απόκλισης ενός ατόμου</translation>
+        <translation>τυπικό σφάλμα της μετατόπισης ενός ατόμου</translation>
     </message>
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
-            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
+            <numerusform>τυπικό σφάλμα της μετατόπισης %n ατόμου, αν δεν διαφέρουν</numerusform>
+            <numerusform>τυπικό σφάλμα της μετατόπισης %n ατόμων, αν δεν διαφέρουν</numerusform>
         </translation>
     </message>
     <message>
@@ -14989,7 +14989,7 @@ Administrators also give the site its name here.</source>
     </message>
     <message>
         <source>Simulated fingertip platform</source>
-        <translation>Προσομοιωμένη πλατφόρμα ακροδαχτύλου</translation>
+        <translation>Προσομοιωμένη πλατφόρμα δακτύλου</translation>
     </message>
     <message>
         <source>None: the loop alone, without a device</source>
@@ -15007,7 +15007,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
 
 Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά ξεκίνησαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που εκτελέστηκε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
 
-Η πλατφόρμα ακροδαχτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
+Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
 
 Με προτεραιότητα πραγματικού χρόνου ο βρόχος παραμένει έγκαιρος ό,τι κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει αυτή την προτεραιότητα και πώς επιτρέπεται.</translation>
     </message>
