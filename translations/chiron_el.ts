@@ -16625,7 +16625,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>I am ready (Enter)</source>
-        <translation>Είμαι έτοιμος (Enter)</translation>
+        <translation>Είμαι έτοιμος/-η (Enter)</translation>
     </message>
     <message>
         <source>The answers are here. They are taken once the trials begin.</source>

@@ -169,7 +169,7 @@ QString TrialsScreen::furtherPartText() const {
         std::find_if(study.parts.begin(), study.parts.end(),
                      [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
     if (part != study.parts.end() && part->practice > 0 && m_live->view().tryLeft_s > 0.0)
-        said << tr("It begins with %n practice trial(s), which do not count.", nullptr, part->practice);
+        said << tr("First come %n practice trial(s), which do not count.", nullptr, part->practice);
     return said.join(QLatin1Char(' '));
 }
 
@@ -320,7 +320,9 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
     if (!running())
         return;
     if (const auto taken = m_live->answer(answer, value); !taken)
-        context().messages().error(tr("The answer was not accepted."), taken.error());
+        context().messages().error(tr("The answer was not accepted. Please answer again, and call the "
+                                      "experimenter if this happens once more."),
+                                   taken.error());
     m_answers->clear();
 }
 
