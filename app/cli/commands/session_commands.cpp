@@ -110,8 +110,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder"))
                                                               : QStringLiteral("."));
     if (!folder.mkpath(QStringLiteral(".")))
-        return core::fail(core::ErrorCode::storage,
-                          folder.path().toStdString() + ": the folder cannot be made");
+        return noFolder(folder.path());
     QJsonArray files;
     QString text;
     for (const QString& format : *formats) {
