@@ -418,7 +418,7 @@
     </message>
     <message>
         <source>Close the jaw</source>
-        <translation>Fasszange schließen</translation>
+        <translation>Branchen schließen</translation>
     </message>
     <message>
         <source>Press</source>
@@ -430,7 +430,7 @@
     </message>
     <message>
         <source>Click, or press Enter. When nothing is left to report, press D.</source>
-        <translation>Klicken Sie oder drücken Sie die Eingabetaste. Ist nichts mehr zu melden, drücken Sie D.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter. Ist nichts mehr zu melden, drücken Sie D.</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
-        <translation>Klicken Sie oder drücken Sie die Eingabetaste, während Sie die Stelle berühren.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter, während Sie die Stelle berühren.</translation>
     </message>
     <message>
         <source>Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.</source>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>Close the grip of the handle. To open the jaw, open the grip.</source>
-        <translation>Schließen Sie den Griff. Zum Öffnen des Mauls öffnen Sie ihn.</translation>
+        <translation>Schließen Sie den Griff. Zum Öffnen der Branchen öffnen Sie ihn.</translation>
     </message>
     <message>
         <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
@@ -1191,23 +1191,23 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Nothing was grasped. Open the jaws and try again.</source>
-        <translation>Nichts gefasst. Öffnen Sie das Maul und versuchen Sie es noch einmal.</translation>
+        <translation>Nichts gefasst. Öffnen Sie die Branchen und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Der Rand der Falte war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Der Rand der Falte war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Das Objekt war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Das Objekt war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move closer to it.</source>
-        <translation>Nichts gefasst: Die Stelle, an der sich der Schlauch fassen lässt, war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+        <translation>Nichts gefasst: Die Stelle, an der sich der Schlauch fassen lässt, war %1 mm entfernt. Öffnen Sie die Branchen und gehen Sie näher heran.</translation>
     </message>
     <message>
         <source>Nothing is grasped: the jaws are closed. Open them wide, then close them here.</source>
-        <translation>Nichts gefasst: Das Maul ist geschlossen. Öffnen Sie es weit und schließen Sie es dann hier.</translation>
+        <translation>Nichts gefasst: Die Branchen sind geschlossen. Öffnen Sie sie weit und schließen Sie sie dann hier.</translation>
     </message>
 </context>
 <context>
@@ -2033,7 +2033,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The largest force with which the jaws squeezed what they held.</source>
-        <translation>Die größte Kraft, mit der das Maul zusammendrückte, was es hielt.</translation>
+        <translation>Die größte Kraft, mit der die Branchen zusammendrückten, was sie hielten.</translation>
     </message>
     <message>
         <source>Time squeezing too hard</source>
@@ -4173,7 +4173,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Return</source>
-        <translation>Eingabe</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -7008,15 +7008,15 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -7914,11 +7914,11 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation>Durchgesehen, nichts hinzuzufügen</translation>
+        <translation>Begutachtet, nichts hinzuzufügen</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation>Durchgesehen. Nichts hinzuzufügen.</translation>
+        <translation>Begutachtet. Nichts hinzuzufügen.</translation>
     </message>
     <message>
         <source>Reply</source>
@@ -8623,7 +8623,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
-        <translation>Eine aufgezeichnete Bewegung (CSV, mit Maul) führt die Instrumente.</translation>
+        <translation>Eine aufgezeichnete Bewegung (CSV, mit den Branchen) führt die Instrumente.</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
@@ -9603,7 +9603,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>jaw (°)</source>
-        <translation>Maul (°)</translation>
+        <translation>Branchen (°)</translation>
     </message>
     <message>
         <source>%1, tip (mm)</source>
@@ -10873,11 +10873,11 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     </message>
     <message>
         <source>%1: squeeze of the jaw</source>
-        <translation>%1: Druck der Branchen</translation>
+        <translation>%1: Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>Squeeze of the jaw</source>
-        <translation>Druck der Branchen</translation>
+        <translation>Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>N</source>
@@ -11546,7 +11546,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>Squeeze of the jaws</source>
-        <translation>Quetschkraft des Mauls</translation>
+        <translation>Quetschkraft der Branchen</translation>
     </message>
     <message>
         <source>band, from</source>
@@ -11953,7 +11953,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als durchgesehen. %1 wird unter „Start“ darauf hingewiesen.</translation>
+        <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als begutachtet. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
     <message>
         <source>This session was void and counts again. The debrief says who decided it and why.</source>
@@ -12147,13 +12147,13 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>standard error of one participant&apos;s bias</source>
-        <translation>Standardfehler der Abweichung einer Person</translation>
+        <translation>Standardfehler der Verschiebung einer Person</translation>
     </message>
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-            <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
-            <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
+            <numerusform>Standardfehler der Verschiebung von %n Person, falls sie sich nicht unterscheiden</numerusform>
+            <numerusform>Standardfehler der Verschiebung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
         </translation>
     </message>
     <message>
@@ -12602,7 +12602,7 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
 Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
         <translation>Jede Person beantwortet diese Fragen einmal, oder einmal zu jeder Bedingung.
 
-Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
+Mit Tab gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
     </message>
     <message>
         <source>Each participant answers it once about each condition.</source>
@@ -13038,7 +13038,7 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     </message>
     <message>
         <source>Go (Enter)</source>
-        <translation>Los (Eingabe)</translation>
+        <translation>Los (Enter)</translation>
     </message>
     <message>
         <source>Practise for a minute</source>
@@ -13275,11 +13275,11 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
     <message>
         <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
-        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Jemand, der laut Sicherung zur Administration gehört, muss zustimmen.</translation>
     </message>
     <message>
         <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
-        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Jemand, der laut Sicherung zur Administration gehört, muss zustimmen.</translation>
     </message>
     <message>
         <source>The damaged file has a different administrator or password</source>
@@ -13350,7 +13350,7 @@ An administrator of the backup has to give the password. The damaged file is nev
 
 Die Liste zeigt die Sicherungen an den Orten, die dieser Computer kennt, die neueste zuerst, und ob jede verwendet werden kann. Mit „Datei wählen“ nehmen Sie eine von einer anderen Festplatte: Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.
 
-Eine Person aus der Administration der Sicherung muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
+Jemand, der laut Sicherung zur Administration gehört, muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
     </message>
     <message>
         <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>

@@ -207,7 +207,7 @@
     </message>
     <message>
         <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
-        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τα σκέλη της λαβίδας αν τον συνέσφιξαν</translation>
+        <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τις σιαγόνες αν τον συνέσφιξαν</translation>
     </message>
 </context>
 <context>
@@ -406,7 +406,7 @@
     </message>
     <message>
         <source>Move the mouse with the right button or Shift held.</source>
-        <translation>Μετακινήστε το ποντίκι με πατημένο το δεξί πλήκτρο ή το Shift.</translation>
+        <translation>Μετακινήστε το ποντίκι με πατημένο το δεξί κουμπί ή το Shift.</translation>
     </message>
     <message>
         <source>Move</source>
@@ -450,7 +450,7 @@
     </message>
     <message>
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
-        <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό πλήκτρο, ή το H.</translation>
+        <translation>Κρατήστε το αριστερό κουμπί ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό κουμπί, ή το H.</translation>
     </message>
     <message>
         <source>Take the handle and move it: the tool moves with it.</source>
@@ -474,7 +474,7 @@
     </message>
     <message>
         <source>Close the grip of the handle. To open the jaw, open the grip.</source>
-        <translation>Κλείστε τη λαβή. Για να ανοίξει η σιαγόνα, ανοίξτε τη λαβή.</translation>
+        <translation>Κλείστε τη λαβή. Για να ανοίξουν οι σιαγόνες, ανοίξτε τη λαβή.</translation>
     </message>
     <message>
         <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
@@ -4173,7 +4173,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Return</source>
-        <translation>Return</translation>
+        <translation>Enter</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -4189,15 +4189,15 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>PgUp</source>
-        <translation>PgUp</translation>
+        <translation>Page Up</translation>
     </message>
     <message>
         <source>PgDown</source>
-        <translation>PgDown</translation>
+        <translation>Page Down</translation>
     </message>
     <message>
         <source>Del</source>
-        <translation>Del</translation>
+        <translation>Delete</translation>
     </message>
 </context>
 <context>
@@ -5388,7 +5388,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
-        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
     </message>
     <message>
         <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
@@ -7008,15 +7008,15 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -7040,7 +7040,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
-        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τα στον αέρα με το O, κατεβάστε τα, κλείστε τα με το G.</translation>
+        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τις στον αέρα με το O, κατεβάστε τις, κλείστε τις με το G.</translation>
     </message>
     <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
@@ -7080,7 +7080,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open the grip in the air, lower it, close it.</source>
-        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
+        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τη λαβή στον αέρα, κατεβάστε την, κλείστε την.</translation>
     </message>
     <message>
         <source>Space: pause. Esc: stop force. F5: start again.</source>
@@ -7914,11 +7914,11 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation>Ελέγχθηκε, τίποτα να προστεθεί</translation>
+        <translation>Αξιολογήθηκε, τίποτα να προστεθεί</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation>Ελέγχθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
+        <translation>Αξιολογήθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
     </message>
     <message>
         <source>Reply</source>
@@ -8623,7 +8623,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
-        <translation>Μια καταγεγραμμένη κίνηση (CSV, με τη σιαγόνα) κινεί τα εργαλεία.</translation>
+        <translation>Μια καταγεγραμμένη κίνηση (CSV, με τις σιαγόνες) κινεί τα εργαλεία.</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
@@ -9603,7 +9603,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>jaw (°)</source>
-        <translation>σιαγόνα (°)</translation>
+        <translation>σιαγόνες (°)</translation>
     </message>
     <message>
         <source>%1, tip (mm)</source>
@@ -10873,11 +10873,11 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     </message>
     <message>
         <source>%1: squeeze of the jaw</source>
-        <translation>%1: σύσφιγξη της λαβίδας</translation>
+        <translation>%1: σύσφιξη των σιαγόνων</translation>
     </message>
     <message>
         <source>Squeeze of the jaw</source>
-        <translation>Σύσφιγξη της λαβίδας</translation>
+        <translation>Σύσφιξη των σιαγόνων</translation>
     </message>
     <message>
         <source>N</source>
@@ -11953,7 +11953,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται ελεγμένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
+        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται αξιολογημένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
     </message>
     <message>
         <source>This session was void and counts again. The debrief says who decided it and why.</source>
@@ -12147,13 +12147,13 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>standard error of one participant&apos;s bias</source>
-        <translation>τυπικό σφάλμα της απόκλισης ενός ατόμου</translation>
+        <translation>τυπικό σφάλμα της μετατόπισης ενός ατόμου</translation>
     </message>
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
-            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
+            <numerusform>τυπικό σφάλμα της μετατόπισης %n ατόμου, αν δεν διαφέρουν</numerusform>
+            <numerusform>τυπικό σφάλμα της μετατόπισης %n ατόμων, αν δεν διαφέρουν</numerusform>
         </translation>
     </message>
     <message>
@@ -12525,7 +12525,7 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
     </message>
     <message>
         <source>Not answered yet: move the slider, or press Space to leave it in the middle.</source>
-        <translation>Δεν έχει απαντηθεί ακόμη: μετακινήστε το ρυθμιστικό ή πατήστε το διάστημα για να μείνει στη μέση.</translation>
+        <translation>Δεν έχει απαντηθεί ακόμη: μετακινήστε το ρυθμιστικό ή πατήστε το Διάστημα για να μείνει στη μέση.</translation>
     </message>
     <message>
         <source>Step %1 of %2</source>
@@ -14989,7 +14989,7 @@ Administrators also give the site its name here.</source>
     </message>
     <message>
         <source>Simulated fingertip platform</source>
-        <translation>Προσομοιωμένη πλατφόρμα ακροδαχτύλου</translation>
+        <translation>Προσομοιωμένη πλατφόρμα δακτύλου</translation>
     </message>
     <message>
         <source>None: the loop alone, without a device</source>
@@ -15007,7 +15007,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
 
 Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά ξεκίνησαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που εκτελέστηκε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
 
-Η πλατφόρμα ακροδαχτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
+Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
 
 Με προτεραιότητα πραγματικού χρόνου ο βρόχος παραμένει έγκαιρος ό,τι κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει αυτή την προτεραιότητα και πώς επιτρέπεται.</translation>
     </message>
@@ -16625,7 +16625,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>I am ready (Enter)</source>
-        <translation>Είμαι έτοιμος (Enter)</translation>
+        <translation>Είμαι έτοιμος/-η (Enter)</translation>
     </message>
     <message>
         <source>The answers are here. They are taken once the trials begin.</source>
@@ -16819,7 +16819,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
-        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/demo_pictures.h"
 
+#include "cli/messages.h"
 #include "database/accounts/account_service.h"
 #include "report/report_writer.h"
 #include "session/exercise_kind.h"
@@ -121,7 +122,7 @@ core::Result<DemoPictures> drawDemo(database::Database& database, const session:
     DemoPictures drawn;
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     if (!QDir().mkpath(folder))
-        return core::fail(core::ErrorCode::storage, folder.toStdString() + ": the folder cannot be made");
+        return noFolder(folder);
     const auto file = [&](const std::string& name) {
         return QDir(folder).filePath(QString::fromStdString(name));
     };

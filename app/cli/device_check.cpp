@@ -292,7 +292,7 @@ QJsonValue serialJson(const std::string& serialNumber) {
 }
 
 QString serialWords(const std::string& serialNumber) {
-    return serialNumber.empty() ? QStringLiteral("not told by the device")
+    return serialNumber.empty() ? QStringLiteral("not reported by the device")
                                 : QString::fromStdString(serialNumber);
 }
 

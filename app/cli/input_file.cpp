@@ -28,7 +28,9 @@ core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
     }
     if (input.error() != QFileDevice::NoError)
         return badInput(
-            QStringLiteral("stdin: broke off after %1 bytes: %2").arg(bytes.size()).arg(input.errorString()));
+            QStringLiteral("stdin: broke off after %1 bytes (%2); expected it to be readable to its end")
+                .arg(bytes.size())
+                .arg(input.errorString()));
     if (bytes.size() > largestBytes)
         return badInput(QStringLiteral("stdin: more than %1 bytes; expected at most that").arg(largestBytes));
     return bytes;

@@ -40,6 +40,19 @@ tl::unexpected<core::Error> badInput(const QString& message) {
     return core::fail(core::ErrorCode::badInput, message.toStdString());
 }
 
+tl::unexpected<core::Error> noFolder(const QString& path) {
+    return core::fail(core::ErrorCode::storage,
+                      QStringLiteral("%1: the folder cannot be made; expected a place that may be written to")
+                          .arg(quoted(path))
+                          .toStdString());
+}
+
+tl::unexpected<core::Error> stdoutBroke() {
+    return core::fail(core::ErrorCode::storage,
+                      "stdout: could not be written completely; expected room on its disk, or a reader that "
+                      "reads to the end");
+}
+
 int exitCodeOf(core::ErrorCode code) {
     switch (code) {
     case core::ErrorCode::doesNotHold:

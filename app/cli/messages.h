@@ -16,6 +16,10 @@ QString printable(const QString& text);
 
 tl::unexpected<core::Error> wrongUse(const QString& message);
 tl::unexpected<core::Error> badInput(const QString& message);
+/// The folder of an output could not be made. Code: storage.
+tl::unexpected<core::Error> noFolder(const QString& path);
+/// Stdout took only part of the output (a full disk, a closed pipe). Code: storage.
+tl::unexpected<core::Error> stdoutBroke();
 
 /// The exit status of a failure, as specified in cli.md. `cancelled` maps to 1, because the requested result
 /// was not reached.

@@ -27,8 +27,7 @@ int fail(const QString& place, const core::Error& error) {
 int print(const QByteArray& bytes, int exitCode) {
     const auto size = static_cast<std::size_t>(bytes.size());
     if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        return fail(QStringLiteral("stdout: "),
-                    {core::ErrorCode::storage, "could not be written completely"});
+        return fail({}, stdoutBroke().value());
     return exitCode;
 }
 

@@ -106,6 +106,13 @@ public:
                 m_spans[i].end_s = t_s;
         }
     }
+    BidsMeaning meaning() const override {
+        return {{{"trial", "scored presentation"},
+                 {"practice", "practice, never scored"},
+                 {"spoiled", "presentation that does not count"}},
+                "until the answer",
+                "presentation within the run, as in the beh file"};
+    }
     std::vector<BidsSpan> take() override {
         std::erase_if(m_spans, [](const BidsSpan& span) { return span.onset_s < 0.0; });
         return std::move(m_spans);
@@ -196,12 +203,34 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
     return QJsonDocument(json).toJson();
 }
 
-/// The columns of a place are there only where an event has one.
-bool havePlaces(const std::vector<BidsSpan>& spans) {
-    return std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) { return span.p_W.has_value(); });
+/// The columns of tissue that gave way are there only where it did.
+bool haveYields(const std::vector<BidsSpan>& spans) {
+    return std::any_of(spans.begin(), spans.end(),
+                       [](const BidsSpan& span) { return span.yield.has_value(); });
 }
 
-constexpr std::array kPlaceColumns{"position_x", "position_y", "position_z"};
+struct YieldColumn {
+    const char* name;
+    const char* unit;
+    const char* description;
+    QString (*cell)(const BidsYield&);
+};
+
+template <int axis> QString placeOf(const BidsYield& yield) {
+    return yield.p_W ? exportNumber((*yield.p_W)[axis]) : kNotAvailable;
+}
+
+constexpr const char* kPlace = "tip of the tool where tissue gave way, in the frame of the motion file";
+constexpr std::array kYieldColumns{
+    YieldColumn{"tool", "", "tool under which tissue gave way, from 0, which is that of the motion file",
+                [](const BidsYield& yield) { return QString::number(yield.tool); }},
+    YieldColumn{"force", "N", "force under which tissue gave way",
+                [](const BidsYield& yield) { return exportNumber(yield.load.force_N); }},
+    YieldColumn{"torque", "N m", "torque under which tissue gave way",
+                [](const BidsYield& yield) { return exportNumber(yield.load.torque_Nm); }},
+    YieldColumn{"position_x", "m", kPlace, placeOf<0>},
+    YieldColumn{"position_y", "m", kPlace, placeOf<1>},
+    YieldColumn{"position_z", "m", kPlace, placeOf<2>}};
 
 QByteArray eventsTsv(const std::vector<BidsSpan>& spans) {
     ExportTable table{
@@ -209,42 +238,44 @@ QByteArray eventsTsv(const std::vector<BidsSpan>& spans) {
         {},
         {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}},
         {}};
-    const bool places = havePlaces(spans);
-    for (const char* column : kPlaceColumns)
-        if (places)
-            table.columns.push_back({column, "m", ""});
+    const bool yields = haveYields(spans);
+    for (const YieldColumn& column : kYieldColumns)
+        if (yields)
+            table.columns.push_back({column.name, column.unit, ""});
     for (const BidsSpan& span : spans) {
         QStringList row{exportNumber(span.onset_s), exportNumber(std::max(0.0, span.end_s - span.onset_s)),
                         span.type, span.value};
-        for (int axis = 0; places && axis < 3; ++axis)
-            row << (span.p_W ? exportNumber((*span.p_W)[axis]) : kNotAvailable);
+        for (const YieldColumn& column : kYieldColumns)
+            if (yields)
+                row << (span.yield ? column.cell(*span.yield) : kNotAvailable);
         table.rows.push_back(row);
     }
     return tsvOf(table);
 }
 
-QByteArray eventsJson(const std::vector<BidsSpan>& spans) {
-    QJsonObject levels{{"trial", "scored presentation"},
-                       {"practice", "practice, never scored"},
-                       {"spoiled", "presentation that does not count"}};
-    const bool yields = std::any_of(spans.begin(), spans.end(), [](const BidsSpan& span) {
-        return span.type == QLatin1String(kTissueYielded);
-    });
+QByteArray eventsJson(const std::vector<BidsSpan>& spans, const BidsMeaning& meaning) {
+    QJsonObject levels;
+    for (const auto& [type, description] : meaning.types)
+        levels.insert(type, description);
+    const bool yields = haveYields(spans);
     if (yields)
         levels.insert(QLatin1String(kTissueYielded),
-                      "tissue gave way under the tool; its ordinal is that of the trial");
+                      "tissue gave way under a tool (a perforation, rupture or tear); it has no duration, "
+                      "and its ordinal is that of the trial");
     QJsonObject json{
         {"onset",
          QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
-        {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+        {"duration", QJsonObject{{"Description", meaning.duration}, {"Units", "s"}}},
         {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
-        {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}};
-    if (havePlaces(spans))
-        for (const char* column : kPlaceColumns)
-            json.insert(QLatin1String(column),
-                        QJsonObject{{"Description", "tip of the tool where tissue gave way, in the frame of "
-                                                    "the motion file; n/a for other events"},
-                                    {"Units", "m"}});
+        {"ordinal", QJsonObject{{"Description", meaning.ordinal}}}};
+    for (const YieldColumn& column : kYieldColumns) {
+        if (!yields)
+            continue;
+        QJsonObject words{{"Description", QLatin1String(column.description) + "; n/a for other events"}};
+        if (*column.unit != '\0')
+            words.insert("Units", column.unit);
+        json.insert(QLatin1String(column.name), words);
+    }
     return QJsonDocument(json).toJson();
 }
 
@@ -313,7 +344,7 @@ core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, cons
           {tracked + "_channels.tsv", channelsTsv()},
           {tracked + "_channels.json", channelsJson()},
           {tracked + "_events.tsv", eventsTsv(found)},
-          {tracked + "_events.json", eventsJson(found)}})
+          {tracked + "_events.json", eventsJson(found, spans.meaning())}})
         CHIRON_TRY(folder.write(name, bytes));
     return {};
 }

@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "session/new_folder.h"
 #include "session/session_view.h"
+#include "session/yield_load.h"
 
 #include <QString>
 #include <QStringList>
@@ -41,13 +42,27 @@ struct BidsEvent {
     QString value; ///< number of the presentation
 };
 
+/// Tissue that gave way under a tool.
+struct BidsYield {
+    int tool = 0;
+    YieldLoad load;                ///< under which it gave way
+    std::optional<core::Vec3> p_W; ///< where, m, W; no value if the packet was refused
+};
+
 /// A span of the recording as an events file lists it, in seconds since the first sample.
 struct BidsSpan {
     double onset_s = 0.0;
     double end_s = 0.0;
     QString type;  ///< as in BidsEvent, or kTissueYielded
     QString value; ///< number of the presentation or trial; of the trial in which tissue gave way
-    std::optional<core::Vec3> p_W = std::nullopt; ///< where tissue gave way; m, W
+    std::optional<BidsYield> yield = std::nullopt; ///< kTissueYielded
+};
+
+/// What the events of a recording mean, in English.
+struct BidsMeaning {
+    std::map<QString, QString> types; ///< of BidsSpan::type, except kTissueYielded
+    QString duration;
+    QString ordinal;
 };
 
 /// Finds the spans of an events file while the samples of a recording are written, so that it is decoded
@@ -60,6 +75,7 @@ public:
     virtual ~BidsSpans() = default;
     /// Call it for each frame, in order; `t_s`: since the first one.
     virtual void add(const core::HapticFrame& frame, double t_s) = 0;
+    virtual BidsMeaning meaning() const = 0;
     /// The spans that began within the recording.
     virtual std::vector<BidsSpan> take() = 0;
 };

@@ -166,20 +166,17 @@ void EventExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
 void EventExtractor::addYields(const core::HapticFrame& frame, double t_s) {
     for (int i = 0; i < m_tools; ++i) {
         const auto tool = static_cast<std::size_t>(i);
-        const core::Array6& f = frame.tool[tool].tissue;
-        const double force_N = std::hypot(f[0], f[1], f[2]), torque_Nm = std::hypot(f[3], f[4], f[5]);
+        const YieldLoad load = m_loads.at(i, frame.tool[tool]);
         if (core::contactOfStatus(frame.tool[tool].status) & core::contact_bits::kYielded) {
             note(frame, t_s, "tissue_yielded", i);
-            const long long torque_mNm = std::llround(1e3 * std::max(m_torque_Nm[tool], torque_Nm));
+            const long long torque_mNm = std::llround(1e3 * load.torque_Nm);
             const auto place = yieldPlaceOf(m_positions, i, frame.tool[tool]);
             m_events.back().detailJson =
                 "{\"trial\":" + std::to_string(frame.header.trial) +
-                ",\"force_mN\":" + std::to_string(std::llround(1e3 * std::max(m_force_N[tool], force_N))) +
+                ",\"force_mN\":" + std::to_string(std::llround(1e3 * load.force_N)) +
                 (torque_mNm > 0 ? ",\"torque_mN_m\":" + std::to_string(torque_mNm) : std::string()) +
                 (place ? placeJson(*place) : std::string()) + "}";
         }
-        m_force_N[tool] = force_N;
-        m_torque_Nm[tool] = torque_Nm;
     }
 }
 

@@ -5,6 +5,7 @@
 #include "database/repositories/session_types.h"
 #include "recording/position_of.h"
 #include "session/device_time.h"
+#include "session/yield_load.h"
 
 #include <array>
 #include <cstdint>
@@ -63,9 +64,7 @@ private:
     std::uint64_t m_lastTick = 0;
     std::uint32_t m_guards = 0;
     std::array<bool, core::kMaxTools> m_over{};
-    std::array<double, core::kMaxTools> m_torque_Nm{}; ///< likewise, the torque
-    std::array<double, core::kMaxTools> m_force_N{};   ///< tissue force of the previous tick, which tells how
-                                                       ///< hard the tool pushed when tissue gave way
+    YieldLoads m_loads;
     bool m_finished = false;
     bool m_faulted = false;
     bool m_endCommand = false;

@@ -154,10 +154,9 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
     for (int tool = 0; tool < m_tools; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         const double tissue = tissueOf(frame.tool[i]);
+        const YieldLoad load = m_loads.at(tool, frame.tool[i]);
         if (core::contactOfStatus(frame.tool[i].status) & core::contact_bits::kYielded)
-            noteYield(frame, t_s, tool);
-        m_before_N[i] = tissue;
-        m_before_Nm[i] = torqueOf(frame.tool[i]);
+            noteYield(frame, t_s, tool, load);
         follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
         const bool over = scored && tissue > m_forceLimit_N;
         follow(m_over[i], over, frame, t_s, PlaybackMarkKind::overLimit, tool);
@@ -170,12 +169,12 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
 }
 
 /// Tissue that gives way before a trial runs, or during a pause, does not count as an error.
-void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool) {
+void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool, const YieldLoad& load) {
     const auto i = static_cast<std::size_t>(tool);
-    const double force_N = tissueOf(frame.tool[i]), torque_Nm = torqueOf(frame.tool[i]);
-    const bool byTorque = gaveWayToTorque(m_yield, force_N, torque_Nm);
+    const bool byTorque =
+        gaveWayToTorque(m_yield, tissueOf(frame.tool[i]), torqueOf(frame.tool[i])); // at this tick
     PlaybackMark& mark = note(frame, t_s, PlaybackMarkKind::yielded, tool);
-    mark.value = byTorque ? std::max(m_before_Nm[i], torque_Nm) : std::max(m_before_N[i], force_N);
+    mark.value = byTorque ? load.torque_Nm : load.force_N;
     if (byTorque)
         mark.detail = kByTorque;
     mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;

@@ -4,6 +4,7 @@
 #include "core/geometry.h"
 #include "core/haptic_frame.h"
 #include "recording/position_of.h"
+#include "session/yield_load.h"
 #include "simulation/yield.h"
 
 #include <array>
@@ -119,7 +120,7 @@ private:
     void addForces(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
     void addStandstill(const core::HapticFrame& frame, double t_s);
-    void noteYield(const core::HapticFrame& frame, double t_s, int tool);
+    void noteYield(const core::HapticFrame& frame, double t_s, int tool, const YieldLoad& load);
     void addLimited(const core::HapticFrame& frame, double t_s, int tool);
 
     /// The reason why the trial's clock is stopped.
@@ -133,8 +134,7 @@ private:
     std::optional<std::size_t> m_stop; ///< the mark of the current stop
     std::uint32_t m_guards = 0;
     core::ForceState m_force = core::ForceState::off;
-    std::array<double, core::kMaxTools> m_before_N{};  ///< tissue force of the previous tick
-    std::array<double, core::kMaxTools> m_before_Nm{}; ///< likewise, the torque
+    YieldLoads m_loads;
     Span m_paused;
     std::array<Span, core::kMaxTools> m_over{};
     std::array<Span, core::kMaxTools> m_limited{};

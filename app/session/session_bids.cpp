@@ -24,10 +24,16 @@ public:
             t_s;
         for (int tool = 0; tool < m_positions.tools(); ++tool) {
             const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
+            const YieldLoad load = m_loads.at(tool, sample);
             if (core::contactOfStatus(sample.status) & core::contact_bits::kYielded)
-                m_yields.push_back(
-                    {t_s, t_s, kTissueYielded, trial, yieldPlaceOf(&m_positions, tool, sample)});
+                m_yields.push_back({t_s, t_s, kTissueYielded, trial,
+                                    BidsYield{tool, load, yieldPlaceOf(&m_positions, tool, sample)}});
         }
+    }
+    BidsMeaning meaning() const override {
+        return {{{"trial", "trial of the exercise"}},
+                "until the last sample of the trial",
+                "number of the trial, from 0"};
     }
     std::vector<BidsSpan> take() override {
         std::vector<BidsSpan> spans = std::move(m_yields);
@@ -40,6 +46,7 @@ public:
 
 private:
     const ToolPositions& m_positions;
+    YieldLoads m_loads;
     std::map<int, BidsSpan> m_trials;
     std::vector<BidsSpan> m_yields;
 };
@@ -64,8 +71,12 @@ core::Result<void> exportSessionBids(SessionView& session, const std::filesystem
                                    {{"participant_id", "", "the session's number"}},
                                    {{QStringLiteral("sub-") + subject}}};
     CHIRON_TRY(made->write("dataset_description.json", QJsonDocument(description).toJson()));
-    CHIRON_TRY(made->write("README", "One recorded session: motion of the tool with forces, its "
-                                     "trials as events. Who did it is not part of it.\n"));
+    CHIRON_TRY(made->write(
+        "README",
+        "One recorded session: motion of the tool with forces, its trials as events. Tissue that gave way "
+        "under a tool (a perforation, rupture or tear) is an event as well, tissue_yielded: when it "
+        "happened, under which tool, under which force and torque, and where. Its columns are described "
+        "beside the events file; they are left out if no tissue gave way. Who did it is not part of it.\n"));
     CHIRON_TRY(made->write("participants.tsv", tsvOf(participants)));
     CHIRON_TRY(writeBidsMotion(*made, session, recording, spans));
     return made->commit();

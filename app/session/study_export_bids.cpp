@@ -302,10 +302,12 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
 
 core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     const QString blinded =
-        data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell "
-                                      "them apart (trials, answers, times, counts, values, orders, "
-                                      "procedures, forces and motion, the protocol itself) is left out.\n")
-                     : QStringLiteral("sourcedata/design.json is the frozen protocol.\n");
+        data.blinded
+            ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell "
+                             "them apart (trials, answers, times, counts, values, orders, "
+                             "procedures, forces and motion, the protocol itself) is left out.\n")
+            : QStringLiteral("sourcedata/design.json is the frozen protocol. Where motion was recorded, its "
+                             "events are the presentations; objects of a study never give way.\n");
     const QJsonObject description{{"Name", english(data.design->title)},
                                   {"BIDSVersion", "1.9.0"},
                                   {"DatasetType", "raw"},

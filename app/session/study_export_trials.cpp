@@ -180,7 +180,7 @@ std::vector<ExportColumn> markColumns() {
              "the same along x as a share of the sphere's radius; n/a in other studies and without a mark"},
             {"mark_error_y_percent", "%", "the same along y"},
             {"mark_in_contact", "", "something was touched when it was marked", kYesNo},
-            {"mark_planned", "", "drawn by the observer for planning: nothing was rendered", kYesNo}};
+            {"mark_planned", "", "drawn by the simulated observer: nothing was rendered", kYesNo}};
 }
 
 /// True if values that depend on the task may be exported: while blinded, only if all conditions have the

@@ -196,10 +196,10 @@ QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
 
 QString groupRule() {
     return Words::tr("Which runs count: every run whose answers bound its value from below and from above, "
-                     "whatever else it is warned of and whether or not it is finished. Left out, "
-                     "from groups and comparisons alike, are runs whose answers do not bound the value or "
-                     "give none, runs with objects shown and not felt (unless you include them), "
-                     "participants who have withdrawn, and simulated participants where there are people.");
+                     "whatever other warnings it has and whether or not it is finished. Left out, from "
+                     "groups and comparisons alike, are runs whose answers do not bound the value or give "
+                     "none, runs with objects shown and not felt (unless you include them), participants who "
+                     "have withdrawn, and simulated participants where there are people.");
 }
 
 QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {

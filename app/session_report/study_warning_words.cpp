@@ -186,7 +186,7 @@ QString ofApexOrPlan(const Warning& warning) {
     case beyondRadius:
         return Words::tr("%n mark(s) lie off the sphere.", nullptr, n);
     case plannedMarks:
-        return Words::tr("%n mark(s) come from the observer for planning: nothing was rendered.", nullptr, n);
+        return Words::tr("%n mark(s) come from a simulated observer: nothing was rendered.", nullptr, n);
     case untouchedMarks:
         return Words::tr("%n mark(s) were set without touching anything.", nullptr, n);
     case notSimulated:

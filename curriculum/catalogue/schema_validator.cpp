@@ -97,7 +97,7 @@ void checkText(const QString& text, const Schema& schema, const QString& path, P
     }
     if (!inRange(schema, static_cast<double>(text.size())))
         problems.push_back(
-            {path, quoted(text), range(schema, QStringLiteral("a text of so many characters"))});
+            {path, quoted(text), range(schema, QStringLiteral("a text of this many characters"))});
     if (schema.identifier && !isIdentifier(text))
         problems.push_back(
             {path, quoted(text), QStringLiteral("lower-case letters, digits and _, a letter first")});
@@ -122,8 +122,8 @@ QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, con
     const QJsonObject texts = value.toObject();
     const QStringList keys = texts.keys();
     if (std::none_of(keys.begin(), keys.end(), looksLikeLanguage)) {
-        problems.push_back(
-            {path, shown(value), range(schema, QStringLiteral("a text in English, of so many characters"))});
+        problems.push_back({path, shown(value),
+                            range(schema, QStringLiteral("a text in English, of this many characters"))});
         return value;
     }
     for (const QString& key : keys) {
@@ -145,7 +145,8 @@ QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, con
 QJsonValue checkedArray(const QJsonArray& array, const Schema& schema, const QString& path,
                         Problems& problems) {
     if (!inRange(schema, static_cast<double>(array.size())))
-        problems.push_back({path, shown(array), range(schema, QStringLiteral("an array of so many"))});
+        problems.push_back(
+            {path, shown(array), range(schema, QStringLiteral("an array of this many elements"))});
     QJsonArray out;
     QSet<QString> seen;
     for (qsizetype i = 0; i < array.size(); ++i) {

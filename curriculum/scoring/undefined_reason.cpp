@@ -61,7 +61,7 @@ constexpr auto kReasons = std::to_array<ReasonRow>({
     {noLumpThere, "no lump was there", QT_TRANSLATE_NOOP("Metrics", "there was no lump")},
     {noLumpFound, "no lump was found", QT_TRANSLATE_NOOP("Metrics", "no lump was found")},
     {noConfidence, "nobody said how sure a finding is", QT_TRANSLATE_NOOP("Metrics", "no finding has a confidence rating")},
-    {noSizeSaid, "of no lump that was found the size was said", QT_TRANSLATE_NOOP("Metrics", "no lump found was given a size")},
+    {noSizeSaid, "of no lump that was found the size was said", QT_TRANSLATE_NOOP("Metrics", "none of the lumps found was given a size")},
     {noSizeAsked, "the level asks for no size", QT_TRANSLATE_NOOP("Metrics", "the level asks for no size")},
     {noHardnessAsked, "the level asks for no hardness", QT_TRANSLATE_NOOP("Metrics", "the level asks for no hardness")},
     {tooFewHardnessOfATrial, "fewer than two lumps of a trial were found and their hardness said", QT_TRANSLATE_NOOP("Metrics", "in no trial were two lumps found and given a hardness")},

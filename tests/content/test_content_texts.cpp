@@ -212,7 +212,7 @@ void TestContentTexts::textsForNothingAreRefused_data() {
     row("several languages", german, "levels/visible/title", QJsonObject{{"de", "x"}},
         "$.levels.visible.title: an object: expected a text");
     row("empty", german, "levels/visible/title", "",
-        "$.levels.visible.title: \"\": expected a text of so many characters, 1 to 800");
+        "$.levels.visible.title: \"\": expected a text of this many characters, 1 to 800");
     row("a text for a level", german, "levels/visible", "x",
         "$.levels.visible: \"x\": expected an object with texts");
     row("list for a list with names", german, "exercise/legend", QJsonArray{"x"},

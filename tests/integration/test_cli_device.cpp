@@ -59,7 +59,7 @@ void TestCliDevice::theFingertipPlatformHolds() {
     QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
     const CliRun words = runCli({"device", "check", "--seed", "2", "--poses", "3"});
     for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation",
-                             "Within its bounds", "not told by the device"})
+                             "Within its bounds", "not reported by the device"})
         QVERIFY2(words.out.contains(word), word);
 }
 

@@ -231,6 +231,24 @@ void TestCliRefuses::oneByOne_data() {
         QTest::addRow("force limit %s", limit)
             << QStringList{"metrics", good, "--force-limit", limit} << 2
             << QStringList{"--force-limit", QStringLiteral("\"%1\"").arg(limit)} << QByteArray();
+    // A command for which nothing is stored yet: what was found, what was expected, and where.
+    row("folder below a file", {"demo", "--folder", good + "/below"}, 4,
+        {good + "/below", "cannot be made", "expected a place that may be written to"});
+    row("demonstration over a file", {"demo", "--database", good}, 3,
+        {good, "exists already", "expected a file that does not exist yet"});
+    row("no such study to begin with", {"study", "new", "stifness", "--database", folder + "/none.db"}, 3,
+        {"FROM \"stifness\"", "expected one of", "stiffness_2afc", "JSON file"});
+    row("another driver", words("device check --driver lever"), 2, {"--driver", "\"lever\"", "device list"});
+    row("driver without motors", words("device check --driver keyboard_mouse"), 5,
+        {"--driver", "keyboard_mouse", "no motors", "expected"});
+    row("option of the other mechanism", words("device check --mechanism gimbal_hprd --poses 4"), 2,
+        {"--poses", "gimbal_hprd", "expected it with fingertip_arm"});
+    row("a ratio that is none",
+        words("study plan stiffness_2afc --observer weber:0.1 --power --ratio 1 --database none.db"), 2,
+        {"--ratio 1", "expected a ratio other than 1"});
+    row("power without its option",
+        words("study plan stiffness_2afc --observer weber:0.1 --alpha 0.01 --database none.db"), 2,
+        {"--alpha", "--power", "expected both"});
     const auto trace = [&](const char* name, const QByteArray& content, const QString& where) {
         const QString path =
             file(QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".csv", content);

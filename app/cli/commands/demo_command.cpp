@@ -95,11 +95,11 @@ core::Result<DemoPlace> placeFor(const Arguments& arguments) {
     if (place.folder.isEmpty())
         place.folder = QFileInfo(place.database).absoluteDir().filePath(QStringLiteral("demonstration"));
     if (QFileInfo::exists(place.database))
-        return badInput(QStringLiteral("%1: exists already; a demonstration is made in a fresh database")
+        return badInput(QStringLiteral("%1: exists already; expected a file that does not exist yet, because "
+                                       "a demonstration is made in a database of its own")
                             .arg(quoted(place.database)));
     if (!QDir().mkpath(place.folder) || !QDir().mkpath(QFileInfo(place.database).absolutePath()))
-        return core::fail(core::ErrorCode::storage,
-                          place.folder.toStdString() + ": the folder cannot be made");
+        return noFolder(place.folder);
     return place;
 }
 

@@ -55,9 +55,10 @@ core::Result<void> refuseOtherDrivers(const QString& driver) {
         return {};
     if (devices::findDriver(driver.toStdString()) == nullptr)
         return wrongUse(
-            QStringLiteral("option --driver: %1 is unknown; see chiron-cli device list").arg(quoted(driver)));
-    return core::fail(core::ErrorCode::device,
-                      "device " + driver.toStdString() + ": has no motors that could be checked");
+            QStringLiteral("--driver: %1: unknown; see chiron-cli device list").arg(quoted(driver)));
+    return core::fail(core::ErrorCode::device, "--driver: " + driver.toStdString() +
+                                                   ": it has no motors that could be checked; expected " +
+                                                   checkedDriver());
 }
 
 core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::optional<double> damping) {
@@ -228,15 +229,17 @@ core::Result<CommandOutput> check(const Arguments& arguments) {
     const auto sampleDelay = arguments.integer(QStringLiteral("sample-delay"), 0, 3, 0);
     CHIRON_TRY(sampleDelay);
     if (*mechanism == fingertip && arguments.has(QStringLiteral("sample-delay")))
-        return wrongUse(
-            QStringLiteral("option --sample-delay: means nothing with --mechanism fingertip_arm"));
+        return wrongUse(QStringLiteral("--sample-delay: means nothing with --mechanism fingertip_arm; "
+                                       "expected it with gimbal_hprd alone"));
     if (*mechanism == fingertip)
         return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping)
                                                                                   : std::nullopt);
     for (const char* option : {"seed", "frequency", "poses", "degrade", "series"})
         if (arguments.has(QString::fromLatin1(option)))
-            return wrongUse(QStringLiteral("option --%1: means nothing with --mechanism gimbal_hprd")
-                                .arg(QLatin1String(option)));
+            return wrongUse(
+                QStringLiteral(
+                    "--%1: means nothing with --mechanism gimbal_hprd; expected it with fingertip_arm alone")
+                    .arg(QLatin1String(option)));
     return checkGimbal(*damping, static_cast<int>(*sampleDelay));
 }
 

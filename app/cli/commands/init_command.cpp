@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_groups.h"
+#include "cli/messages.h"
 #include "cli/site_access.h"
 #include "cli/text_table.h"
 #include "database/accounts/account_rules.h"
@@ -18,8 +19,7 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const QString& pa
     if (QFileInfo::exists(path))
         return database::Database::openForWriting(path.toStdString(), databaseOptions());
     if (!QDir().mkpath(QFileInfo(path).absolutePath()))
-        return core::fail(core::ErrorCode::storage,
-                          QFileInfo(path).absolutePath().toStdString() + ": the folder could not be made");
+        return noFolder(QFileInfo(path).absolutePath());
     return database::Database::create(path.toStdString(), databaseOptions());
 }
 

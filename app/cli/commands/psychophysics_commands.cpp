@@ -46,10 +46,10 @@ CommandSpec fitting() {
          {"unscaled", {}, "--threshold-at means the curve without guess and lapse"},
          {"reference", "R", "also the Weber fraction JND/R"},
          {"bootstrap", "N",
-          "ml: intervals from so many bootstrap fits (BCa) instead of the likelihood's profile"},
+          "ml: intervals from this many bootstrap fits (BCa) instead of the likelihood's profile"},
          {"nonparametric", {}, "--bootstrap draws from each level's answers, not from the fitted curve"},
-         {"monte-carlo", "N", "p_value from so many simulated data sets, not from chi-square"},
-         {"curve", "N", "also the fitted curve and its band at so many points"},
+         {"monte-carlo", "N", "p_value from this many simulated data sets, not from chi-square"},
+         {"curve", "N", "also the fitted curve and its band at this many points"},
          {"seed", "S", "of what is drawn; default: 1"}});
     return row;
 }
@@ -73,7 +73,7 @@ CommandSpec comparing() {
     append(row.options, answerOptions());
     append(row.options,
            {{"monte-carlo", "N",
-             "p_value from so many sets of answers drawn from the smaller model, not from chi-square"},
+             "p_value from this many sets of answers drawn from the smaller model, not from chi-square"},
             {"seed", "S", "of what is drawn; default: 1"}});
     return row;
 }
@@ -110,7 +110,7 @@ CommandSpec detecting() {
                    {"false-alarms", "N", "yes (different) where it was not"},
                    {"correct-rejections", "N", "no (same) where it was not"},
                    {"correct", "N", "right answers"},
-                   {"total", "N", "of so many"},
+                   {"total", "N", "of this many"},
                    {"proportion", "P", "proportion right, instead of --correct and --total"},
                    {"uncorrected", {}, "without the log-linear correction (Hautus 1995) of yes-no rates"}};
     return row;
@@ -128,7 +128,7 @@ CommandSpec ranking() {
          "the order expected for Page's L and Kendall's tau, lowest rank first; default: as the columns "
          "stand"},
         {"regularise", "X",
-         "so many wins of each over each are added where data alone give no finite worths; default: 0"}};
+         "this many wins of each over each are added where data alone give no finite worths; default: 0"}};
     return row;
 }
 

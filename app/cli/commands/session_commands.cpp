@@ -110,8 +110,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder"))
                                                               : QStringLiteral("."));
     if (!folder.mkpath(QStringLiteral(".")))
-        return core::fail(core::ErrorCode::storage,
-                          folder.path().toStdString() + ": the folder cannot be made");
+        return noFolder(folder.path());
     QJsonArray files;
     QString text;
     for (const QString& format : *formats) {
@@ -133,7 +132,7 @@ std::vector<CommandSpec> sessionCommands() {
     listing.summary = QStringLiteral("the sessions that you may see; without --as the simulated ones");
     listing.options = {
         {QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("only of this exercise")},
-        {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most so many")},
+        {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most this many")},
         {QStringLiteral("archived"), {}, QStringLiteral("archived ones too")}};
     listing.example = QStringLiteral("chiron-cli session list --exercise sphere_apex");
     listing.run = list;

@@ -105,11 +105,11 @@ std::vector<CommandSpec> studyCommands() {
              {"seed", "S", "of participant and runs; default: 1"},
              {"quick",
               {},
-              "without rendering: the observer is told the values; apex: marks of the observer for planning"},
+              "without rendering: the observer is told the values; apex: marks of a simulated observer"},
              {"condition", "ID",
               "this one alone, where the experimenter is not blind; default: all that are not completed, in "
               "order"},
-             {"trials", "N", "stop after so many presentations of a run, to be gone on with"}}),
+             {"trials", "N", "stop after this many presentations of a run, which can be continued later"}}),
         row("rerun", "run the log again: exit 1 where a stimulus would be chosen differently",
             "3 --as rosa --json", rerunStudy),
         row("plan", "expected bias, precision and minutes before anyone is tested",

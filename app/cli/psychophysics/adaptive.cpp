@@ -24,7 +24,7 @@ core::Result<void> printLine(const QJsonObject& json) {
     const QByteArray line = QJsonDocument(json).toJson(QJsonDocument::Compact) + '\n';
     const auto size = static_cast<std::size_t>(line.size());
     if (std::fwrite(line.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        return core::fail(core::ErrorCode::storage, "stdout: could not be written completely");
+        return stdoutBroke();
     return {};
 }
 
@@ -97,7 +97,7 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
     }
     if (std::cin.bad())
         return core::fail(core::ErrorCode::storage,
-                          "stdin: broke off: expected it to be readable to its end");
+                          "stdin: broke off; expected it to be readable to its end");
     return {};
 }
 

@@ -71,7 +71,7 @@ core::Result<Judges> readJudges(const CsvTable& table) {
         judges.items << table.header[i];
     }
     if (columns.size() < 2)
-        return badInput(QStringLiteral("%1:1: %2 objects; expected a column an object, at least two")
+        return badInput(QStringLiteral("%1:1: %2 objects; expected a column for each object, at least two")
                             .arg(table.name)
                             .arg(columns.size()));
     for (std::size_t row = 0; row < table.rows.size(); ++row) {

@@ -127,8 +127,8 @@ chosenQuestionnaires(const Arguments& arguments, const psychophysics::StudyDesig
                 QStringLiteral("--questionnaire: %1: the study has no such questionnaire; expected one of %2")
                     .arg(quoted(name), known.join(QStringLiteral(", "))));
     if (all.empty())
-        return wrongUse(
-            QStringLiteral("study %1 has no questionnaires").arg(quoted(QString::fromStdString(design.id))));
+        return wrongUse(QStringLiteral("study %1: no questionnaires; expected a study that has some")
+                            .arg(quoted(QString::fromStdString(design.id))));
     return all;
 }
 

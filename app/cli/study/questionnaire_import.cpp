@@ -179,7 +179,8 @@ core::Result<std::string> languageOf(const Arguments& arguments, const std::vect
             return each.item->text.count(language) > 0;
         }))
         return language;
-    return wrongUse(QStringLiteral("--language: %1: no question of the study is written in it")
+    return wrongUse(QStringLiteral("--language: %1: no question of the study is written in it; expected a "
+                                   "language of its questionnaires")
                         .arg(quoted(QString::fromStdString(language))));
 }
 

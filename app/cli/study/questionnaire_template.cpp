@@ -109,16 +109,17 @@ core::Result<void> writeNew(const QString& path, const QByteArray& bytes) {
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
         return QFileInfo::exists(path)
                    ? badInput(
-                         QStringLiteral("--out: %1: is there already; expected a file that is not there yet")
+                         QStringLiteral("--out: %1: exists already; expected a file that does not exist yet")
                              .arg(quoted(path)))
-                   : core::fail(
-                         core::ErrorCode::storage,
-                         QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
+                   : core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: cannot be written: %2")
+                                                              .arg(quoted(path), file.errorString())
+                                                              .toStdString());
     if (file.write(bytes) == bytes.size() && file.flush())
         return {};
     file.remove();
-    return core::fail(core::ErrorCode::storage,
-                      QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
+    return core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: cannot be written: %2")
+                                                    .arg(quoted(path), file.errorString())
+                                                    .toStdString());
 }
 
 } // namespace

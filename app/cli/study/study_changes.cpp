@@ -77,11 +77,14 @@ core::Result<std::string> consentSha256(const Arguments& arguments, const StudyS
                                  ? arguments.value(QStringLiteral("language"))
                                  : QStringLiteral("en");
     const auto found = design->consent.find(language.toStdString());
-    if (found == design->consent.end())
-        return core::fail(core::ErrorCode::wrongUse,
-                          QStringLiteral("--language: %1: the study's consent text is not in it")
-                              .arg(quoted(language))
-                              .toStdString());
+    if (found == design->consent.end()) {
+        QStringList written;
+        for (const auto& [each, words] : design->consent)
+            written << QString::fromStdString(each);
+        return wrongUse(
+            QStringLiteral("--language: %1: the study has no consent text in it; expected one of %2")
+                .arg(quoted(language), written.join(QStringLiteral(", "))));
+    }
     return catalogue::studySha256(QByteArray::fromStdString(found->second));
 }
 
@@ -98,11 +101,15 @@ core::Result<CommandOutput> newStudy(const Arguments& arguments) {
         const auto content = catalogue::StudyCatalogue::load();
         CHIRON_TRY(content);
         const auto* found = content->find(from.toStdString());
-        if (!found)
+        if (!found) {
+            QStringList known;
+            for (const psychophysics::StudyDesign& each : content->studies())
+                known << QString::fromStdString(each.id);
             return core::fail(core::ErrorCode::notFound,
-                              QStringLiteral("FROM %1: neither a file nor a study of the content")
-                                  .arg(quoted(from))
+                              QStringLiteral("FROM %1: no such study; expected one of %2, or a JSON file")
+                                  .arg(quoted(from), known.join(QStringLiteral(", ")))
                                   .toStdString());
+        }
         design = *found;
     }
     if (arguments.has(QStringLiteral("id")))

@@ -43,8 +43,8 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
         // Its conditions are sealed, and with them the values to plan with.
         if (study && study->record.masked)
             return core::fail(core::ErrorCode::notAllowed,
-                              QStringLiteral("study %1 is blinded: its author and administrators plan it, "
-                                             "everybody once it is unblinded")
+                              QStringLiteral("study %1 is blinded; expected --as its author or an "
+                                             "administrator, or the study to be unblinded first")
                                   .arg(quoted(QString::fromStdString(study->record.summary.key)))
                                   .toStdString());
         if (study)
@@ -101,11 +101,11 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     for (const char* option :
          {"ratio", "participants", "wanted", "alpha", "paired", "unpaired", "between-sd"})
         if (arguments.has(QLatin1String(option)) && !arguments.has(QStringLiteral("power")))
-            return wrongUse(QStringLiteral("--%1: expected with --power").arg(QLatin1String(option)));
+            return wrongUse(QStringLiteral("--%1 without --power: expected both").arg(QLatin1String(option)));
     if (!arguments.has(QStringLiteral("power")))
         return std::nullopt;
     if (arguments.has(QStringLiteral("paired")) && arguments.has(QStringLiteral("unpaired")))
-        return wrongUse(QStringLiteral("--paired, --unpaired: expected one of them"));
+        return wrongUse(QStringLiteral("--paired and --unpaired were given: expected one of them"));
     PowerInputs inputs;
     PowerQuestion& question = inputs.question;
     question.paired = !arguments.has(QStringLiteral("unpaired"));
@@ -127,7 +127,7 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     if (arguments.has(QStringLiteral("ratio"))) {
         if (*ratio == 1.0)
             return wrongUse(QStringLiteral(
-                "--ratio 1: expected another ratio; no number of participants finds no difference"));
+                "--ratio 1: expected a ratio other than 1, which is no difference that could be found"));
         inputs.ratio = *ratio;
         question.differenceLog10 = std::log10(*ratio);
     }

@@ -51,7 +51,8 @@ core::Result<CommandOutput> openSitting(const QString& database, const QString& 
                                   QStringLiteral("--person"), person},
                                  {}, &id))
         return core::fail(core::ErrorCode::storage,
-                          program.toStdString() + ": the window could not be started");
+                          program.toStdString() +
+                              ": the window could not be started; expected a program that may be executed");
     return CommandOutput{
         QJsonDocument(
             QJsonObject{{"study", study}, {"person", person}, {"window", program}, {"process", id}}),

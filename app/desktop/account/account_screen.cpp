@@ -45,13 +45,11 @@ QString AccountScreen::title() const {
 
 QString AccountScreen::help() const {
     return tr("Your own name, language and password.\n\nThe full name is what others see in lists and "
-              "reports; your earlier names stay in the "
-              "site's history. The login name can be changed by an administrator.\n\nThe language takes "
-              "effect at once. It comes back whenever "
-              "you log in on this station and changes nothing for others.\n\nTo change your password, first "
-              "enter the one that you have now.\n\nAdministrators can "
-              "make a recovery code for themselves here; with it they can set a new password if they forget "
-              "theirs.");
+              "reports; your earlier names stay in the site's history. The login name can be changed by an "
+              "administrator.\n\nThe language takes effect at once. It is used whenever you log in on this "
+              "station, and changes nothing for others.\n\nTo change your password, first enter the one that "
+              "you have now.\n\nAdministrators can make a recovery code for themselves here; with it they "
+              "can set a new password if they forget theirs.");
 }
 
 QWidget* AccountScreen::nameBox() {
@@ -97,7 +95,7 @@ QWidget* AccountScreen::languageBox() {
             Qt::QueuedConnection);
     }
     box.layout->addWidget(kit::label(
-        theme, tr("It comes back whenever you log in on this station and changes nothing for others."),
+        theme, tr("It is used whenever you log in on this station, and changes nothing for others."),
         TextStyle::small, "muted"));
     return box.frame;
 }
@@ -258,7 +256,7 @@ void AccountScreen::saveName() {
             renewName();
             m_fullName->setFocus();
             if (done)
-                m_nameNotice->say("good", name.isEmpty() ? tr("You are now shown with your login name alone.")
+                m_nameNotice->say("good", name.isEmpty() ? tr("Others now see only your login name.")
                                                          : tr("Your name is now %1.").arg(name));
             else
                 m_nameNotice->say("bad", tr("Your name was not changed.\n%1").arg(inWords(done.error())));

@@ -69,7 +69,7 @@ void BackupKeeper::failed(const QString& why) {
     if (!m_context.has(database::Role::admin))
         return; // the home screen tells the next administrator
     m_context.messages().tell(
-        {MessageKind::warning, tr("The automatic backup was not made; it is tried again.\n%1").arg(why),
+        {MessageKind::warning, tr("The automatic backup was not made; it will be tried again.\n%1").arg(why),
          tr("Open storage"), [&context = m_context] { context.navigator().go(QStringLiteral("storage")); }});
 }
 

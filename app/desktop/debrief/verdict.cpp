@@ -55,7 +55,7 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::v
         return {"info",
                 QStringLiteral("dialog-ok-apply"),
                 Words::tr("Completed"),
-                Words::tr("This level has no pass mark. Everything below is for you to compare."),
+                Words::tr("This level has no pass mark. The values below are for comparison only."),
                 {}};
     if (*head.report.passed)
         return {"good",
@@ -189,7 +189,7 @@ QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
         }
     if (changes.isEmpty())
         return {};
-    return (own ? Words::tr("Since your last attempt: %1") : Words::tr("Since the attempt before: %1"))
+    return (own ? Words::tr("Since your last attempt: %1") : Words::tr("Since the previous attempt: %1"))
         .arg(changes.join(QStringLiteral(" · ")));
 }
 

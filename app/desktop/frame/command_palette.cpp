@@ -2,6 +2,7 @@
 #include "desktop/frame/command_palette.h"
 
 #include "desktop/frame/command_words.h"
+#include "desktop/frame/key_names.h"
 #include "desktop/frame/palette_search.h"
 #include "desktop/widgets/kit.h"
 
@@ -112,7 +113,7 @@ void CommandPalette::addHeading(const QString& title) {
 
 void CommandPalette::addCommand(int group, int command) {
     const ScreenCommand& given = commandOf(group, command);
-    const QString keys = given.keys.toString(QKeySequence::NativeText);
+    const QString keys = shortcutInWords(given.keys);
     QString text = given.text;
     if (const QString word = group < kFirstFound && fit(m_field->text(), text) < kGoodFit
                                  ? furtherWordThatFits(m_field->text(), text)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/help_dialogs.h"
 
+#include "desktop/frame/key_names.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 
@@ -45,8 +46,8 @@ void addKeys(const Theme& theme, QVBoxLayout* column, const std::vector<ScreenCo
     for (const ScreenCommand& command : commands) {
         if (command.keys.isEmpty())
             continue;
-        grid->addWidget(kit::line(theme, command.keys.toString(QKeySequence::NativeText), TextStyle::strong),
-                        row, 0, Qt::AlignTop);
+        grid->addWidget(kit::line(theme, shortcutInWords(command.keys), TextStyle::strong), row, 0,
+                        Qt::AlignTop);
         grid->addWidget(kit::label(theme, command.text), row, 1);
         ++row;
     }

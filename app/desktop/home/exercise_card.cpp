@@ -33,9 +33,9 @@ WordSign signOf(session::Standing standing) {
 
 QString standingWords(const session::LevelStanding& standing) {
     if (standing.passedFelt && standing.passedShown)
-        return ExerciseCard::tr("Passed, felt and shown");
+        return ExerciseCard::tr("Passed with felt and with shown force");
     if (standing.passedFelt)
-        return ExerciseCard::tr("Passed by touch");
+        return ExerciseCard::tr("Passed with felt force");
     if (standing.passedShown)
         return ExerciseCard::tr("Passed with shown force");
     if (standing.attempts > 0)

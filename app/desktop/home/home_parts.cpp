@@ -178,7 +178,7 @@ void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
             theme,
             home.people.empty()
                 ? tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first.")
-                : tr("Everything is reviewed. Of each level, a trainee's latest attempt will appear here."),
+                : tr("Everything is reviewed. A trainee's latest attempt at each level will appear here."),
             TextStyle::body, "muted"));
     else
         box.layout->addWidget(new SessionLines(context(), home.toLook, true));

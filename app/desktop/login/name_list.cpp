@@ -31,7 +31,7 @@ NameList::NameList(const Theme& theme, QWidget* parent) : QWidget(parent) {
     column->addWidget(m_list);
     m_none = kit::label(
         theme,
-        tr("Nobody of this name can log in here. Ask an administrator; your login name may have changed."),
+        tr("Nobody with this name can log in here. Ask an administrator; your login name may have changed."),
         TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("login.nobody"));
     m_none->hide();

@@ -63,8 +63,8 @@ void EraseParticipantDialog::loaded(core::Result<std::vector<session::WithdrawnP
 
 void EraseParticipantDialog::renewWords() {
     const session::WithdrawnParticipant* who = chosen();
-    m_words->setText(!who ? tr("No participant who has withdrawn waits to be erased. Researchers withdraw a "
-                               "participant on the study's Run screen.")
+    m_words->setText(!who ? tr("No participant who has withdrawn is waiting to be erased. Researchers "
+                               "withdraw a participant on the study's Run screen.")
                      : who->participant.recordingsToErase
                          ? tr("Overwritten: who the participant was, the answers to questionnaires, comments "
                               "on their sessions and, as the participant "

@@ -219,7 +219,7 @@ void PeopleScreen::find(const QString& text) {
     if (m_found->rowCount() > 0 || m_model->rowCount() == 0)
         m_panel->showContent();
     else
-        m_panel->showEmpty(tr("Nobody is found"),
+        m_panel->showEmpty(tr("Nobody was found"),
                            tr("No name and no role matches \"%1\".").arg(text.trimmed()),
                            tr("Show everybody"), [this] {
                                m_search->clear();

@@ -15,7 +15,7 @@ QString permits(database::Role role) {
     case database::Role::trainee:
         return RoleChoice::tr("Trains and sees their own results");
     case database::Role::trainer:
-        return RoleChoice::tr("Sees everybody's sessions, comments and voids them");
+        return RoleChoice::tr("Sees everybody's sessions, and can comment on them and void them");
     case database::Role::researcher:
         return RoleChoice::tr(
             "Designs studies and runs them with participants; sees sessions by code, without names");

@@ -151,7 +151,7 @@ void addFullNames(QStringList& lines, const database::RosterPlan& plan) {
     if (renamed > kMostNames)
         lines << counted(
             QT_TRANSLATE_N_NOOP("RosterWords",
-                                "%n more people would get another full name; the table shows them."),
+                                "%n more people would get a different full name; the table shows them."),
             renamed - kMostNames);
     const auto kept = static_cast<int>(
         std::count_if(plan.steps.begin(), plan.steps.end(),

@@ -50,7 +50,7 @@ QString faultWords(const database::RosterProblem& problem) {
     const QLocale locale;
     switch (problem.fault) {
     case RosterFault::notText:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "this is no text; a CSV file is needed"));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "this is not a text file; a CSV file is needed"));
     case RosterFault::notReadable:
         return words(QT_TRANSLATE_NOOP(
             "RosterWords", "some letters cannot be read; save the list as “CSV UTF-8” once more"));
@@ -83,8 +83,8 @@ QString faultWords(const database::RosterProblem& problem) {
                                                       "that holds the separator into quotation marks"))
             .arg(value, locale.toString(problem.other));
     case RosterFault::roles:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" is no role; write trainee, trainer, researcher "
-                                                      "or administrator, separated by semicolons"))
+        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" is not a role; write trainee, trainer, "
+                                                      "researcher or administrator, separated by semicolons"))
             .arg(value);
     case RosterFault::name:
         return value.isEmpty() ? words(QT_TRANSLATE_NOOP("RosterWords", "a login name is needed"))

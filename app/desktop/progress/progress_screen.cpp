@@ -82,7 +82,7 @@ QString ProgressScreen::help() const {
         "lists of groups: type several names with commas between "
         "them to see only these people. The list beside it shows only those who have not trained for some "
         "time, or who have not passed everything.\n\nChoose "
-        "a cell with the arrow keys and press Return to see the sessions of that person at that exercise.");
+        "a cell with the arrow keys and press Enter to see the sessions of that person at that exercise.");
 }
 
 QWidget* ProgressScreen::buildHead() {

@@ -103,7 +103,8 @@ void QuestionnaireScreen::submit() {
         [this](const core::Result<void>& done) {
             m_submit->setEnabled(true);
             if (!done) {
-                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1")
+                m_notice->say("bad", tr("The answers were not stored. They are still on this page: press "
+                                        "Submit again, and call the experimenter if that does not help.\n%1")
                                          .arg(inWords(done.error())));
                 return;
             }

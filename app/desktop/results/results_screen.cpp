@@ -57,13 +57,13 @@ QString ResultsScreen::help() const {
     if (!isOwn())
         return tr("The results of one person.\n\nChoose an exercise, a level and a metric. The curve has a "
                   "point for each completed attempt; attempts with "
-                  "felt force and attempts with force shown only are never compared. Press Return or "
+                  "felt force and attempts with force shown only are never compared. Press Enter or "
                   "double-click to open an attempt.");
     return tr("All your sessions, and your progress.\n\nChoose an exercise, a level and a metric. The curve "
               "has a point for each completed "
               "attempt. Attempts with felt force and attempts with force shown only have separate lines and "
               "are never compared. The "
-              "horizontal line is the pass mark; the band shows what others reached.\n\nPress Return or "
+              "horizontal line is the pass mark; the band shows what others reached.\n\nPress Enter or "
               "double-click to open an attempt. "
               "\"Export my data\" writes everything that is stored about you to a folder of your choice.");
 }

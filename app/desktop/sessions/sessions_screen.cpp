@@ -136,7 +136,7 @@ QString SessionsScreen::help() const {
               "the lists beside it to narrow "
               "the list. What you choose stays for the rest of the day. A link from another screen, such as "
               "\"List of sessions to review\", shows its own list "
-              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Return or "
+              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Enter or "
               "double-click to open "
               "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows "
               "how they develop at its exercise and "

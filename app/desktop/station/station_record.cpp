@@ -31,7 +31,9 @@ CheckTable limitsTable() {
 } // namespace
 
 QString serialWords(const std::optional<QString>& serial) {
-    return !serial ? Words::tr("none") : serial->isEmpty() ? Words::tr("not told by the device") : *serial;
+    return !serial             ? Words::tr("none")
+           : serial->isEmpty() ? Words::tr("not reported by the device")
+                               : *serial;
 }
 
 std::vector<std::pair<QString, QString>> checkHead(const CheckCircumstances& of, const QLocale& locale) {

@@ -31,7 +31,7 @@ Sign signOf(State state) {
     case State::bad:
         return {"dialog-error", Colour::bad, CheckList::tr("must be corrected")};
     case State::waiting:
-        return {"view-refresh", Colour::muted, CheckList::tr("being found out")};
+        return {"view-refresh", Colour::muted, CheckList::tr("being calculated")};
     }
     return {};
 }
@@ -44,7 +44,7 @@ CheckList::CheckList(AppContext& app, const psychophysics::StudyDesign& design, 
       m_rows(new QVBoxLayout(this)) {
     m_rows->setContentsMargins(0, 0, 0, 0);
     setObjectName(QStringLiteral("check.list"));
-    setAccessibleName(tr("What is looked at before freezing"));
+    setAccessibleName(tr("What is checked before freezing"));
     if (m_design.trial.maskingSound && !m_facts.hasSound)
         m_facts.hasSound = loadSound().output != nullptr;
     showChecks();

@@ -218,11 +218,12 @@ QWidget* ConditionsPage::stimulusBox() {
         tr("Attribute"), QStringLiteral("condition.attribute"), attributes,
         static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
             edit(
-                tr("Another attribute"), {},
+                tr("Change of the attribute"), {},
                 [&](Condition& changed) { takeAttribute(changed, static_cast<Attribute>(now.toInt())); },
                 true);
         });
-    grid->explain(QStringLiteral("condition.attribute"), tr("What the objects differ in, and nothing else."));
+    grid->explain(QStringLiteral("condition.attribute"),
+                  tr("The only property in which the objects differ."));
     addReference(*grid);
     if (!apex())
         addTask(*grid);
@@ -305,8 +306,8 @@ void ConditionsPage::addNames(FieldGrid& grid) {
                        [&](Condition& changed) { changed.id = id; });
               });
     grid.explain(QStringLiteral("condition.id"),
-                 tr("Lower-case letters, digits and _ only; each condition has another. It follows the "
-                    "English title until somebody types another."));
+                 tr("Lower-case letters, digits and _ only; each condition needs a different one. It follows "
+                    "the English title until somebody types a name."));
 }
 
 namespace {
@@ -405,7 +406,7 @@ void ConditionsPage::addTask(FieldGrid& grid) {
     grid.choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task),
                 [this](const QVariant& now) {
                     edit(
-                        tr("Another task"), {},
+                        tr("Change of the task"), {},
                         [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
                 });
     grid.explain(QStringLiteral("condition.task"), study_words::taskInWords(condition().task));
@@ -418,7 +419,8 @@ void ConditionsPage::addTask(FieldGrid& grid) {
                          [&](Condition& changed) { changed.criterion = now / kPercent; });
                 });
     grid.explain(QStringLiteral("condition.criterion"),
-                 tr("The threshold is the difference at which so many answers are right."), {1, 99, 75});
+                 tr("The threshold is the difference at which this share of the answers is right."),
+                 {1, 99, 75});
 }
 
 QWidget* ConditionsPage::tableBox() {
@@ -464,10 +466,12 @@ QWidget* ConditionsPage::proceduresBox() {
                                                 {static_cast<std::size_t>(m_shown), i}));
     }
     if (!m_page.readOnly && !apex()) {
-        auto* more = kit::button(theme, tr("Interleave one more"), "quiet", QStringLiteral("list-add"));
+        auto* more =
+            kit::button(theme, tr("Interleave another procedure"), "quiet", QStringLiteral("list-add"));
         more->setObjectName(QStringLiteral("conditions.more_procedures"));
         connect(more, &QPushButton::clicked, this, &ConditionsPage::addProcedure);
-        auto* less = kit::button(theme, tr("Remove the last"), "quiet", QStringLiteral("list-remove"));
+        auto* less =
+            kit::button(theme, tr("Remove the last procedure"), "quiet", QStringLiteral("list-remove"));
         less->setObjectName(QStringLiteral("conditions.less_procedures"));
         less->setEnabled(condition().procedures.size() > 1);
         connect(less, &QPushButton::clicked, this, [this] {

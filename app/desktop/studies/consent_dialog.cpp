@@ -42,9 +42,10 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
     m_agreed->setObjectName(QStringLiteral("consent.agreed"));
     m_agreed->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_agreed);
-    column()->addWidget(kit::label(
-        theme(), tr("The time and the text's SHA-256 are recorded. Participants may withdraw at any time."),
-        TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(),
+                                   tr("The time is recorded, and a checksum (SHA-256) that shows which text "
+                                      "you have read. You may withdraw at any time."),
+                                   TextStyle::small, "muted"));
     setAccept(tr("Record the consent"));
     connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
     connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });

@@ -166,7 +166,7 @@ QString stimulusWords(const Condition& condition, const QString& field, const Re
         return FaultWords::tr(
             "This task compares with objects above the reference only: every difference must be above 0 %.");
     if (fault.expected.startsWith(QStringLiteral("more than the one before")))
-        return FaultWords::tr("A difference is there twice. Leave one of them out.");
+        return FaultWords::tr("A difference is listed twice. Remove one of them.");
     return {};
 }
 
@@ -180,12 +180,12 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     if (fault.expected.startsWith(QStringLiteral("lower-case letters")))
         return FaultWords::tr("Use lower-case letters, digits and _ only, a letter first.");
     if (fault.expected.contains(kTwice))
-        return FaultWords::tr("This is there twice. Choose another.");
+        return FaultWords::tr("This is already used. Choose something else.");
     if (fault.expected == QStringLiteral("more than lowest"))
         return FaultWords::tr("The maximum has to be above the minimum.");
     static const QRegularExpression kChoices(QStringLiteral("^an array of (\\d+) to (\\d+) texts$"));
     if (const auto match = kChoices.match(fault.expected); match.hasMatch())
-        return FaultWords::tr("Give from %1 to %2 choices, one per line.")
+        return FaultWords::tr("Enter %1 to %2 choices, one per line.")
             .arg(match.captured(1), match.captured(2));
     static const QRegularExpression kAtMost(QStringLiteral("^at most \\w+, (\\d+)$"));
     if (const auto match = kAtMost.match(fault.expected); match.hasMatch())

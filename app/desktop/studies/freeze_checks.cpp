@@ -67,7 +67,7 @@ FreezeCheck aimCheck(const StudyDesign& design) {
                              return !words.trimmed().isEmpty() && !isPlaceholderAim(words);
                          });
     return written
-               ? found(check, State::good, CheckWords::tr("It is written."))
+               ? found(check, State::good, CheckWords::tr("The aim is written down."))
                : found(check, State::bad,
                        CheckWords::tr(
                            "Write what is to be found out and what you expect. It cannot be added later."));
@@ -121,9 +121,10 @@ FreezeCheck participantsCheck(const StudyDesign& design, const QLocale& locale) 
     if (planned < 1)
         return found(check, State::bad, CheckWords::tr("Plan at least one participant."));
     if (planned == 1)
-        return found(check, State::advice,
-                     CheckWords::tr(
-                         "One participant says nothing of others. Plan more, unless this is a case study."));
+        return found(
+            check, State::advice,
+            CheckWords::tr(
+                "One participant says nothing about others. Plan more, unless this is a case study."));
     const int by = balancedBy(design);
     if (planned % by != 0)
         return found(
@@ -201,7 +202,8 @@ FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, c
             words = CheckWords::tr("About %1 minutes for each participant, as simulated.");
         }
     } else if (minutes <= 0.0) {
-        return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
+        return found(check, State::waiting,
+                     CheckWords::tr("Simulated observers are still running through the study …"));
     }
     words = words.arg(locale.toString(static_cast<int>(std::ceil(minutes))));
     return minutes > kLong_min
@@ -218,7 +220,8 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
     const FreezeCheck check =
         checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
     if (!facts.plans)
-        return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
+        return found(check, State::waiting,
+                     CheckWords::tr("Simulated observers are still running through the study …"));
     const ConditionPlan* worst = nullptr;
     for (const ConditionPlan& plan : *facts.plans)
         if (std::isfinite(plan.sdLog10) && (worst == nullptr || plan.sdLog10 > worst->sdLog10))
@@ -241,13 +244,15 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
         };
         const double ratio = smallest(question);
         const double error = psychophysics::figureError(question, worst->sdError, smallest);
-        words += QLatin1Char(' ') +
-                 (std::isfinite(ratio)
-                      ? CheckWords::tr(
-                            "%1 participants find a ratio of %2 between two conditions with 80 % power.")
-                            .arg(locale.toString(question.participants),
-                                 study_words::withError(ratio, error, locale))
-                      : CheckWords::tr("So few participants find no ratio up to 10 between two conditions."));
+        words +=
+            QLatin1Char(' ') +
+            (std::isfinite(ratio)
+                 ? CheckWords::tr("With %1 participants, a ratio of %2 between two conditions is detected "
+                                  "with 80 % power.")
+                       .arg(locale.toString(question.participants),
+                            study_words::withError(ratio, error, locale))
+                 : CheckWords::tr(
+                       "With so few participants, no ratio up to 10 between two conditions is detected."));
     }
     return worst->sdLog10 <= kPrecise_log10
                ? found(check, State::good, words)

@@ -33,8 +33,9 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
         emit goAsked(check);
         reject();
     });
-    m_cannot = kit::notice(theme(), "bad",
-                           tr("What is marked in red must be corrected first: after freezing nobody can."));
+    m_cannot = kit::notice(
+        theme(), "bad",
+        tr("What is marked in red must be corrected first: after freezing, nobody can change it."));
     m_cannot->setObjectName(QStringLiteral("freeze.cannot"));
     column()->addWidget(m_cannot);
     m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));

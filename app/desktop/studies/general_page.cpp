@@ -49,10 +49,11 @@ void tellRemoved(const DesignPage& page, const QString& what) {
         else
             app.messages().information(
                 draft ? QCoreApplication::translate("StudyWords",
-                                                    "The design was changed since. Undo in the study takes "
-                                                    "back one step after another.")
+                                                    "The design has been changed since then. Undo in the "
+                                                    "study takes back one step after another.")
                       : QCoreApplication::translate(
-                            "StudyWords", "The study was left since, so this can no longer be undone."));
+                            "StudyWords",
+                            "You have left the study since then, so this can no longer be undone."));
     };
     page.app.messages().tell(
         {MessageKind::done, what, QCoreApplication::translate("StudyWords", "Undo"), undo});
@@ -80,17 +81,17 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     StudyDraft& draft = page.draft;
     addStudyText(*grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1,
                  [](StudyDesign& design) -> StudyText& { return design.title; });
-    grid->explain(QStringLiteral("design.title"),
-                  tr("What the study goes by in lists, reports and exports."));
+    grid->explain(QStringLiteral("design.title"), tr("The study's name in lists, reports and exports."));
     grid->whole(tr("Planned participants"), QStringLiteral("design.planned"),
                 draft.design().participantsPlanned, 0, 100000, [&draft](int now) {
                     draft.change(GeneralPage::tr("Number of participants"), QStringLiteral("design.planned"),
                                  [now](StudyDesign& design) { design.participantsPlanned = now; });
                 });
     constexpr UsualNumber kParticipants{1, 100000, 12};
-    grid->explain(QStringLiteral("design.planned"),
-                  tr("How many people are to take part; Preview shows what so many can find out."),
-                  kParticipants);
+    grid->explain(
+        QStringLiteral("design.planned"),
+        tr("How many people are to take part; Preview shows which difference this number can detect."),
+        kParticipants);
     addAim(*grid, page);
     grid->text(
         tr("Source of the design"), QStringLiteral("design.source"),

@@ -93,8 +93,8 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
         return ParticipantProgress::tr(
             "This participant is simulated: its runs are made on the command line.");
     if (row.participant.state == ParticipantState::withdrawn)
-        return ParticipantProgress::tr("Nothing is left to do: this participant has withdrawn. If another is "
-                                       "to take their place, enrol somebody.");
+        return ParticipantProgress::tr("Nothing is left to do: this participant has withdrawn. If somebody "
+                                       "else is to take their place, enrol that person.");
     if (study.summary.state == database::StudyState::archived)
         return ParticipantProgress::tr(
             "Bring the study back from the archive before this participant goes on.");

@@ -74,7 +74,8 @@ const char* sentenceOf(const PartView& part) {
                                  "In each trial you explore three objects and choose one of three answers.");
     case Task::yesNo:
         return QT_TRANSLATE_NOOP("ParticipantSentences",
-                                 "In each trial you explore one object and choose one of two answers.");
+                                 "In each trial you explore one object and compare it with the reference, "
+                                 "which the experimenter shows you before the trials; you answer yes or no.");
     case Task::adjustment:
         return QT_TRANSLATE_NOOP(
             "ParticipantSentences",
@@ -137,7 +138,7 @@ QStringList time(const ParticipantView& view, const LanguageWords& words) {
     if (!compares)
         return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds for each trial."))
                     .arg(words.number(view.explore_s))};
-    return {
+    QStringList said{
         words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds to explore in each trial."))
             .arg(words.number(view.explore_s)),
         view.answer_s > 0.0
@@ -147,6 +148,12 @@ QStringList time(const ParticipantView& view, const LanguageWords& words) {
             : words(QT_TRANSLATE_NOOP(
                   "ParticipantSentences",
                   "Then the objects go away, and you may take as long as you like to answer."))};
+    if (std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); }))
+        said << words(QT_TRANSLATE_NOOP(
+                          "ParticipantSentences",
+                          "Where you search for the highest point, the trial ends after these %1 seconds."))
+                    .arg(words.number(view.explore_s));
+    return said;
 }
 
 QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
@@ -160,7 +167,7 @@ QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
     if (judged)
         said << words(inPractice
                           ? QT_TRANSLATE_NOOP("ParticipantSentences",
-                                              "Only in practice you are told whether your answer was right.")
+                                              "Only in practice are you told whether your answer was right.")
                       : view.feedback
                           ? QT_TRANSLATE_NOOP("ParticipantSentences",
                                               "After each trial you are told whether your answer was right.")
@@ -170,7 +177,7 @@ QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
         said << words(
             inPractice ? QT_TRANSLATE_NOOP(
                              "ParticipantSentences",
-                             "Only in practice you are told how far your mark is from the highest point.")
+                             "Only in practice are you told how far your mark is from the highest point.")
             : view.feedback
                 ? QT_TRANSLATE_NOOP(
                       "ParticipantSentences",
@@ -257,7 +264,7 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
                                  "Each part begins with %n practice trial(s), which do not count."),
                              practice)
                      : words(QT_TRANSLATE_N_NOOP("ParticipantSentences",
-                                                 "It begins with %n practice trial(s), which do not count."),
+                                                 "First come %n practice trial(s), which do not count."),
                              practice));
     said << time(view, words) << feedback(view, words) << breaks(view, words);
     return said + questions(view, words);

@@ -129,7 +129,7 @@ QWidget* PreviewPage::observerGrid() {
     grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse,
                  {0, 50, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.lapse = now / kPercent; });
-    grid->explain(QStringLiteral("preview.lapse"), tr("Share of their answers that are careless."),
+    grid->explain(QStringLiteral("preview.lapse"), tr("Share of their answers that is careless."),
                   {0, 50, 2});
     const auto& conditions = m_page.draft.design().conditions;
     if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) {
@@ -138,11 +138,11 @@ QWidget* PreviewPage::observerGrid() {
         grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties,
                      {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
         grid->explain(QStringLiteral("preview.ties"),
-                      tr("Differences below it they call equal, in standard deviations of what they feel."));
+                      tr("They call smaller differences equal; in standard deviations of what they feel."));
     }
     grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000,
                 [this](int now) { m_runs = now; });
-    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer, and their figures are surer."),
+    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer and give more precise figures."),
                   {5, 2000, 40});
     return grid;
 }
@@ -192,7 +192,7 @@ QWidget* PreviewPage::powerGrid() {
                      m_wantedPower = now / kPercent;
                      showPower();
                  });
-    grid->explain(QStringLiteral("preview.paired"), tr("Else each person does one of them."));
+    grid->explain(QStringLiteral("preview.paired"), tr("Otherwise each person does one of them."));
     grid->explain(QStringLiteral("preview.participants"), tr("How many people are compared."));
     grid->explain(QStringLiteral("preview.effect_sd"),
                   tr("How much the difference varies between people: 12 % is a factor of 1.12."),
@@ -201,8 +201,7 @@ QWidget* PreviewPage::powerGrid() {
                   {0, kMostSpread_percent, 40});
     grid->explain(QStringLiteral("preview.alpha"),
                   tr("How often a difference may be found where there is none."));
-    grid->explain(QStringLiteral("preview.power"),
-                  tr("How often a difference that is there is to be found."));
+    grid->explain(QStringLiteral("preview.power"), tr("How often an existing difference should be found."));
     column->addWidget(grid);
     showPower();
     return part;
@@ -226,8 +225,8 @@ void PreviewPage::showPower() {
                                                    : tr("none up to × 10"));
         labels.name->setText(
             (m_power.paired
-                 ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")
-                 : tr("smallest ratio detectable with %1 power by two groups of %2 participants"))
+                 ? tr("smallest ratio detectable with %1 power and %2 participants who do both conditions")
+                 : tr("smallest ratio detectable with %1 power and two groups of %2 participants"))
                 .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
     }
 }

@@ -100,7 +100,7 @@ void ProcedureForm::kindField() {
     choice(tr("Procedure"), nameOf("kind"), kinds, QString::fromStdString(kind),
            [this](const QVariant& chosen) {
                m_draft.change(
-                   tr("Another procedure"), {},
+                   tr("Choice of the procedure"), {},
                    [&](StudyDesign& design) {
                        Condition& changed = design.conditions[m_place.condition];
                        ProcedureSpec& procedure = changed.procedures[m_place.procedure];
@@ -119,7 +119,7 @@ void ProcedureForm::apexField() {
             whole(tr("Trials"), nameOf(row.key), std::get<int>(row.get(procedure())),
                   static_cast<int>(row.minimum), static_cast<int>(row.maximum),
                   [this, &row](int now) { put(row, now); });
-            explain(nameOf(row.key), tr("How often a participant looks for the apex."),
+            explain(nameOf(row.key), tr("How many times each participant searches for the apex."),
                     {row.minimum, row.maximum, 10});
         }
 }
@@ -377,12 +377,12 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
                     [units](double percent) { return units.distanceOf(percent); }},
                    tr("Spreads of the answers between these are considered possible."), taken);
     else if (grid.name == "lapse_rate" || grid.name == "lower_asymptote")
-        sharesField(
-            study_words::parameter(grid.name), key, grid.values, {0, kPercent, 1, QStringLiteral("%")},
-            grid.name == "lapse_rate"
-                ? tr("Shares of wrong answers although the difference is felt that are considered possible.")
-                : tr("Share of answers that are right by guessing: 50 % of two alternatives."),
-            taken);
+        sharesField(study_words::parameter(grid.name), key, grid.values,
+                    {0, kPercent, 1, QStringLiteral("%")},
+                    grid.name == "lapse_rate"
+                        ? tr("Possible shares of wrong answers to differences that are felt.")
+                        : tr("Share of answers that are right by guessing: 50 % with two alternatives."),
+                    taken);
     else {
         list(study_words::parameter(grid.name), key, grid.values, taken);
         explain(key, grid.name == "slope" ? tr("Slopes that are considered possible: how steeply right "
@@ -431,10 +431,9 @@ void ProcedureForm::gridFields(const QString& what, const QString& key, const st
                put();
            });
     explain(key + QStringLiteral(".high"),
-            isEven(values)
-                ? tr("The largest that is considered possible.")
-                : tr("The largest. An imported design spaced these values irregularly; a change spaces them "
-                     "regularly."));
+            isEven(values) ? tr("The largest value that is considered possible.")
+                           : tr("The largest value. The imported design spaces these values irregularly; "
+                                "after a change they are spaced regularly."));
     whole(tr("%1: steps").arg(what), key + QStringLiteral(".count"), ends->count, 1, 400, [=](int now) {
         ends->count = now;
         put();

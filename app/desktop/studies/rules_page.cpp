@@ -100,7 +100,7 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
                   tr("Time until the next objects come."), 1);
     fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 200,
                  tr("At the largest difference, with feedback, before each condition; never scored."), 4);
-    fields.whole(tr("Break after so many trials"), "break_every", &TrialRules::breakEvery, 0, 10000,
+    fields.whole(tr("Trials between breaks"), "break_every", &TrialRules::breakEvery, 0, 10000,
                  tr("Participants rest before they go on; 0: never."), 40);
     fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10},
                   tr("Participants go on after this time at the earliest."), 30);
@@ -219,8 +219,9 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
                 draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"),
                              [seed](StudyDesign& design) { design.seed = seed; });
         });
-    grid->explain(QStringLiteral("design.seed"), tr("A whole number from which orders and chance are drawn: "
-                                                    "the same number gives the same study again."));
+    grid->explain(QStringLiteral("design.seed"),
+                  tr("A whole number from which all orders and random choices are drawn: the same number "
+                     "gives the same study again."));
     box.layout->addWidget(grid);
     return box.frame;
 }
@@ -238,18 +239,18 @@ QWidget* RulesPage::fidelityBox(const DesignPage& page) {
                   {0.001, 100, 3, QStringLiteral("N"), 0.01},
                   tr("Measured against commanded force, root mean square."), 0.15);
     fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 0.1,
-                   1000, tr("How far what was rendered may be from what was asked for."), 15);
+                   1000, tr("How far the rendered value may be from the requested one."), 15);
     fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 0, 100,
                    tr("Share of the force's updates that may come too late."), 1);
     fields.percent(tr("Force at its limit"), "saturated", &FidelityLimits::saturated, 0, 100,
-                   tr("Share of the contact during which the device may give all it has."), 5);
+                   tr("Share of the contact time during which the device may be at its force limit."), 5);
     fields.number(tr("Largest force"), "peak_force", &FidelityLimits::peakForce_N,
                   {0.01, 100, 2, QStringLiteral("N"), 0.1}, tr("How hard a participant may press."), 4);
     fields.number(tr("Mean speed"), "mean_speed", &FidelityLimits::meanSpeed_m_per_s,
                   {0.001, 10, 3, QStringLiteral("m/s"), 0.01},
                   tr("How fast a participant may move, on average."), 0.2);
     fields.whole(tr("Repeats of one trial"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 1, 100,
-                 tr("After so many the run pauses and asks the experimenter."), 5);
+                 tr("After this many repeats the run pauses and asks the experimenter."), 5);
     box.layout->addWidget(grid);
     return box.frame;
 }

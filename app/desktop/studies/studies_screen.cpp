@@ -68,7 +68,7 @@ QString StudiesScreen::help() const {
               "never be changed again: every export states its SHA-256, and participants are enrolled under "
               "random codes.\n\n\"New study\" "
               "starts from a template or from scratch; \"Import\" reads a study from a JSON file. Press "
-              "Return or double-click to open a "
+              "Enter or double-click to open a "
               "study. \"Run\" takes a participant through it, \"Data\" shows the results.\n\n\"Close\" ends "
               "enrolment for good. "
               "\"Archive\" takes a study out of the list and can be undone.");

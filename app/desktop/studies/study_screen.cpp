@@ -368,8 +368,8 @@ void StudyScreen::showPage() {
 
 void StudyScreen::sayPreviewEnds() {
     if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
-        context().messages().information(tr("The preview was stopped, because its page was left. Nothing of "
-                                            "it is kept: press Preview there to calculate it again."));
+        context().messages().information(tr("The preview was stopped because you left its page, and nothing "
+                                            "of it was kept. Press Preview there to calculate it again."));
 }
 
 DesignPage StudyScreen::designPage() {

@@ -95,7 +95,8 @@ QString taskInWords(Task task) {
     case Task::sameDifferent:
         return Words::tr("Are two objects the same or different?");
     case Task::yesNo:
-        return Words::tr("Does an object have more of the attribute than the reference explored before it?");
+        return Words::tr("Does an object have more of the attribute than the reference? Trials present the "
+                         "object alone: show participants the reference before they begin.");
     case Task::adjustment:
         return Words::tr("One object is adjusted until it feels like the other.");
     case Task::magnitude:
@@ -149,7 +150,7 @@ QString question(Task task, Attribute attribute) {
     case Task::yesNo:
         return Words::tr("Is it %1 than the reference?").arg(word);
     case Task::adjustment:
-        return Words::tr("Change the right one until both seem the same.");
+        return Words::tr("Change object 2 until both seem the same.");
     case Task::magnitude:
         return Words::tr("Give a number to what you perceive. Any positive number is allowed.");
     }

@@ -210,9 +210,9 @@ void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, 
                     tell(match.captured(0), setting);
             }
         };
-        count(objects, counts.objects, TextClaims::tr("the task has another number of objects"));
-        count(trials, counts.trials, TextClaims::tr("another number of trials is set"));
-        count(seconds, counts.seconds, TextClaims::tr("another time is set"));
+        count(objects, counts.objects, TextClaims::tr("the task has a different number of objects"));
+        count(trials, counts.trials, TextClaims::tr("a different number of trials is set"));
+        count(seconds, counts.seconds, TextClaims::tr("a different time is set"));
         for (const Expected& each : expectations())
             if (const QRegularExpressionMatch match = each.said.match(text);
                 match.hasMatch() && !each.holds(design))

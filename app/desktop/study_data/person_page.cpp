@@ -114,7 +114,7 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     fact(tr("Internal noise"), study_words::percent(study_words::ratioOf(estimate.sigma_log10), locale),
          study_words::intervalPercent(study_words::ratioOf(estimate.sigma95.low),
                                       study_words::ratioOf(estimate.sigma95.high), locale),
-         tr("How much one and the same object feels different from time to time (one standard deviation)."));
+         tr("How much the same object feels different from one time to the next (one standard deviation)."));
     if (std::isfinite(estimate.tie))
         fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale),
              study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));

@@ -71,8 +71,8 @@ bool StudyDataScreen::mayExport() {
         context().messages().information(
             tr("The study is not on the screen yet, so nothing was exported. Try again once it is there."));
     else if (m_exporting)
-        context().messages().information(
-            tr("The export before is still being written. Try again once it says where it is."));
+        context().messages().information(tr("The previous export is still being written. Try again once the "
+                                            "message says where it was written."));
     else
         return true;
     return false;
@@ -141,14 +141,15 @@ void StudyDataScreen::chooseFolder(const QString& folder,
         return then(folder, false);
     const bool ours = QFileInfo::exists(QDir(folder).filePath(QStringLiteral("dataset_description.json")));
     auto* box = new QMessageBox(QMessageBox::Question, title(),
-                                tr("%1 is there already.").arg(QDir::toNativeSeparators(folder)),
+                                tr("%1 already exists.").arg(QDir::toNativeSeparators(folder)),
                                 QMessageBox::NoButton, window());
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName(QStringLiteral("data.there"));
     box->setInformativeText(
         ours ? tr("It is an earlier export. You can replace it with the data as they are now, or keep it and "
                   "write the new export beside it.")
-             : tr("It is no export of a study, so it is not replaced. You can write the export beside it."));
+             : tr("It is not an export of a study, so it is not replaced. You can write the export beside "
+                  "it."));
     QPushButton* cancel = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
     cancel->setObjectName(QStringLiteral("data.there.cancel"));
     QPushButton* replace = ours ? box->addButton(tr("Replace"), QMessageBox::DestructiveRole) : nullptr;

@@ -198,8 +198,8 @@ QWidget* StudyDataScreen::shownChoice() {
     shown->setFont(context().theme().font(TextStyle::body));
     shown->setToolTip(m_facts.anyShown
                           ? tr("It applies to every page here and to the PDF, and is remembered.")
-                          : tr("No run of this study was shown and not felt, so it changes nothing here. It "
-                               "is remembered."));
+                          : tr("In no run of this study was force only shown, so this changes nothing here. "
+                               "The choice is remembered."));
     shown->setChecked(m_withShown);
     connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
         m_withShown = checked;

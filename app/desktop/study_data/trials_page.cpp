@@ -69,7 +69,7 @@ void TrialsPageOfRun::setHeadings(QTableWidget& shown) {
                                      tr("Force (N)"), tr("Speed (mm/s)"), tr("Late ticks"), tr("Deviation")});
     const QStringList tips{tr("Number of the presentation"),
                            tr("By how much the object exceeded the reference"),
-                           tr("What the participant said"),
+                           tr("What the participant answered"),
                            tr("Whether the trial counts, and if not, why"),
                            tr("Time until the answer"),
                            tr("Peak force"),

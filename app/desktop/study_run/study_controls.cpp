@@ -28,12 +28,11 @@ ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
         return isTakenHold(attribute)
                    ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"),
                                  Words::tr("Lower the tool into the ring: roll the wheel towards you, or "
-                                           "hold Page Down. Away from you, or "
-                                           "Page Up, pulls. To let go, lower it well below the ring, then "
-                                           "raise it.")}
+                                           "hold Page Down. To pull, roll it away from you, or hold Page Up. "
+                                           "To let go, lower the tool well below the ring, then raise it.")}
                    : ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
-                                 Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or "
-                                           "Page Up, raises.")};
+                                 Words::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it "
+                                           "away from you, or hold Page Up.")};
     return isTakenHold(attribute)
                ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"),
                              Words::tr("Lower the tip into the ring, then raise the handle. To let go, push "
@@ -53,8 +52,8 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
         return Words::tr(
             "Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.");
     case Task::rank3Ties:
-        return Words::tr("Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. "
-                         "Backspace takes back.");
+        return Words::tr("Press 1, 2 or 3 from least to most, with = before one that equals the last, then "
+                         "Enter. Backspace takes the last one back.");
     case Task::sameDifferent:
         return Words::tr("Press 1 for the same, 2 for different.");
     case Task::yesNo:
@@ -94,7 +93,7 @@ QString studyKeys(Task, Attribute, const StudyHand& hand) {
     const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly; "
                                      "Esc again asks whether to stop.");
     return hand.pointer ? Words::tr("%1 T frees the pointer, so that the answers can be clicked as well; a "
-                                    "click in the scene takes it back and answers nothing.")
+                                    "click in the scene takes it back and does not count as an answer.")
                               .arg(always)
                         : Words::tr("%1 The answers can be clicked as well.").arg(always);
 }

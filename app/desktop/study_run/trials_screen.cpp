@@ -65,8 +65,9 @@ QString TrialsScreen::help() const {
     return paragraphs(
         {tr("Here a participant explores objects and answers."),
          tr("Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the "
-            "wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again "
-            "and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they "
+            "wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again "
+            "and does not count as an answer. Answer with the buttons or with the keys shown on them, as "
+            "soon as they "
             "are enabled."),
          tr("In practice, Backspace takes an answer back."), keys + QLatin1Char(' ') + afterStopText(),
          tr("F2 is for the experimenter.")});
@@ -157,18 +158,18 @@ QString TrialsScreen::furtherPartText() const {
     });
     QStringList said;
     const bool own = !partText().isEmpty();
-    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and "
-                          "how you answer it.")
-             : own   ? tr("Apart from this, you explore and answer as in the part before.")
-                     : tr("You explore and answer as in the part before, unless the experimenter tells you "
+    said << (differs ? tr("What you do may differ from the previous part: the next page shows the question "
+                          "and how you answer it.")
+             : own   ? tr("Apart from this, you explore and answer as in the previous part.")
+                     : tr("You explore and answer as in the previous part, unless the experimenter tells you "
                             "otherwise."));
     if (otherNumber)
-        said << tr("The number of trials may be another.");
+        said << tr("The number of trials may differ.");
     const auto part =
         std::find_if(study.parts.begin(), study.parts.end(),
                      [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
     if (part != study.parts.end() && part->practice > 0 && m_live->view().tryLeft_s > 0.0)
-        said << tr("It begins with %n practice trial(s), which do not count.", nullptr, part->practice);
+        said << tr("First come %n practice trial(s), which do not count.", nullptr, part->practice);
     return said.join(QLatin1Char(' '));
 }
 
@@ -319,7 +320,9 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
     if (!running())
         return;
     if (const auto taken = m_live->answer(answer, value); !taken)
-        context().messages().error(tr("The answer was not accepted."), taken.error());
+        context().messages().error(tr("The answer was not accepted. Please answer again, and call the "
+                                      "experimenter if this happens once more."),
+                                   taken.error());
     m_answers->clear();
 }
 

@@ -53,9 +53,8 @@ void TrialsScreen::bringBack() {
     m_faces->insertWidget(0, m_page);
     m_call->show();
     m_toPage->setVisible(running());
-    m_deskNote->setText(tr("The participant's screen is gone. The session is paused, and everything so far "
-                           "is kept. The participant's page is "
-                           "in this window now."));
+    m_deskNote->setText(tr("The participant's screen is no longer connected. The session is paused, and "
+                           "everything so far is kept. The participant's page is in this window now."));
 }
 
 /// Whether the experimenter must identify themselves before anybody sees the desk or continues.

@@ -209,8 +209,8 @@ QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, doubl
     if (reason == "time")
         return tr("No answer came in time.");
     if (reason == "experimenter")
-        return tr("The experimenter took it out.");
-    return tr("The device did not work accurately enough in it. That was not your doing.");
+        return tr("The experimenter discarded it.");
+    return tr("The device did not work accurately enough. This was not your fault.");
 }
 
 QString TrialsScreen::repeatedText(const session::LiveStudyView& view) const {
@@ -226,7 +226,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::trying: {
         const QString held =
             isTakenHold(m_live->condition().stimulus.attribute) ? holdWords(view) : QString();
-        return held.isEmpty() ? tr("The answers are here. They are taken once the trials begin.") : held;
+        return held.isEmpty() ? tr("You will answer here once the trials begin.") : held;
     }
     case State::coming:
         if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones
@@ -238,7 +238,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
                                 .arg(untouchedWords(view.probe_N, context().locale()))
                           : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
-        return tr("Force is starting. Hold still for a moment.");
+        return tr("Hold still for a moment, then you can go on.");
     case State::feedback:
         if (!view.hand.empty())
             return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
@@ -345,7 +345,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         break;
     case State::needsExperimenter:
         m_break->say(
-            tr("Please ask the experimenter"),
+            tr("Please call the experimenter"),
             view.again && view.probe_N > 0.0
                 ? tr("Several times in a row, not every object was explored with at least %1 N in time. Ask "
                      "the experimenter to show how an object is explored and let go.")
@@ -353,14 +353,17 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
             : view.again
                 ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to "
                      "show how an object is touched and let go.")
-                : tr("The last trial could not be presented accurately enough, even after several attempts."),
+                : tr("The last trial could not be presented accurately enough, even after several attempts. "
+                     "The experimenter decides how to go on."),
             tr("Continue"));
         break;
     case State::stopped:
-        m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));
+        m_break->say(tr("Force is stopped"), stoppedText(), tr("Go on (R)"));
         break;
     case State::paused:
-        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Continue (Enter)"));
+        m_break->say(tr("Paused"),
+                     tr("The clock stands still and everything so far is kept. Press Continue to go on."),
+                     tr("Continue (Enter)"));
         break;
     default:
         m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});

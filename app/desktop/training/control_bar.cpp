@@ -86,7 +86,7 @@ void ControlBar::setResumeHere(bool possible) {
 void ControlBar::setPractice() {
     m_again->hide();
     m_end->setText(tr("End the practice"));
-    m_end->setToolTip(tr("Go on to what counts; its card comes first."));
+    m_end->setToolTip(tr("Go on to the trials that count. Their card is shown first."));
 }
 
 void ControlBar::setRunning(bool running) {

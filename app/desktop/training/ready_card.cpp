@@ -13,8 +13,15 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr int kPageWidth_px = 760;
-constexpr double kControlWidth_px = 216; // three fit side by side on a page of full width
+constexpr int kTextWidth_px = 760;
+constexpr int kControlWidth_px = 216;
+constexpr int kControlGap_px = 12;
+
+/// Wide enough for the text and for all movements side by side. One gap more than there is between them makes
+/// up for lengths that are rounded at a scale.
+int pageWidth_px(std::size_t controls) {
+    return std::max(kTextWidth_px, static_cast<int>(controls) * (kControlWidth_px + kControlGap_px));
+}
 
 bool isEnter(int key) {
     return key == Qt::Key_Return || key == Qt::Key_Enter;
@@ -38,7 +45,7 @@ ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWi
 }
 
 QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
-    m_page = new ScrollPage(m_theme, kPageWidth_px);
+    m_page = new ScrollPage(m_theme, pageWidth_px(facts.controls.size()));
     m_page->setObjectName(QStringLiteral("training.ready.page"));
     QVBoxLayout& column = *m_page->column();
     column.setSpacing(m_theme.px(10));
@@ -75,7 +82,7 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
 
 QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
     auto* row = new QWidget;
-    auto* flow = new FlowLayout(m_theme.px(12), row);
+    auto* flow = new FlowLayout(m_theme.px(kControlGap_px), row);
     std::vector<QFrame*> frames;
     int height_px = 0;
     for (const ControlHint& control : controls) {

@@ -263,7 +263,7 @@ void TrainingScreen::showPointer() {
     if (m_pointer->captured())
         text = tr("Space frees the mouse");
     else if (!m_control->held() && !m_storing)
-        text = tr("Click in the scene to work on");
+        text = tr("Click in the scene to go on");
     m_pointerText->setText(text);
 }
 

@@ -19,15 +19,14 @@ std::vector<Parameter> constantRows() {
                .maximum = 1e6,
                .description = "presentations of each level.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Trials per level"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures", "Each level is presented so often."),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "How often each level is presented."),
                .usual = UsualValue{20}}),
         rowOf(&Spec::shuffled,
               {.key = "shuffled",
                .description = "in blocks of one of each level, shuffled; false: in the order given.",
                .title = QT_TRANSLATE_NOOP("Procedures", "In random order"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures",
-                   "Levels come in random blocks of one of each; else in the order of the table.")}),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "Levels come in random order, each once in every "
+                                                          "block; otherwise in the order of the table.")}),
         rowOf(&Spec::levels,
               {.key = "levels",
                .unit = "x",

@@ -12,36 +12,36 @@ namespace {
 
 std::vector<Parameter> descendingRows() {
     using Spec = DescendingSpec;
-    return {
-        rowOf(&Spec::repeats, {.key = "repeats",
-                               .minimum = 1,
-                               .maximum = 1e6,
-                               .description = "presentations of a level before it is judged.",
-                               .title = QT_TRANSLATE_NOOP("Procedures", "Presentations per level"),
-                               .meaning = QT_TRANSLATE_NOOP(
-                                   "Procedures", "Each level is presented so often before it is decided."),
-                               .usual = UsualValue{3}}),
-        rowOf(&Spec::passes,
-              {.key = "passes",
-               .minimum = 1,
-               .maximum = 1e6,
-               .description = "right answers of a level's presentations that are needed to go on.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Right answers to go on"),
-               .meaning =
-                   QT_TRANSLATE_NOOP("Procedures", "With fewer right answers at a level the run ends there."),
-               .usual = UsualValue{2}}),
-        rowOf(&Spec::levels,
-              {.key = "levels",
-               .unit = "x",
-               .quantity = Quantity::level,
-               .minimum = -kUnbounded,
-               .fewest = 1,
-               .most = 65536,
-               .description = "the levels, largest first.",
-               .inTable = true,
-               .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "What is presented, from the largest to the smallest difference.")})};
+    return {rowOf(&Spec::repeats,
+                  {.key = "repeats",
+                   .minimum = 1,
+                   .maximum = 1e6,
+                   .description = "presentations of a level before it is judged.",
+                   .title = QT_TRANSLATE_NOOP("Procedures", "Presentations per level"),
+                   .meaning = QT_TRANSLATE_NOOP(
+                       "Procedures", "How often each level is presented before the run goes on or ends."),
+                   .usual = UsualValue{3}}),
+            rowOf(&Spec::passes,
+                  {.key = "passes",
+                   .minimum = 1,
+                   .maximum = 1e6,
+                   .description = "right answers of a level's presentations that are needed to go on.",
+                   .title = QT_TRANSLATE_NOOP("Procedures", "Right answers to go on"),
+                   .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                                "With fewer right answers at a level the run ends there."),
+                   .usual = UsualValue{2}}),
+            rowOf(&Spec::levels,
+                  {.key = "levels",
+                   .unit = "x",
+                   .quantity = Quantity::level,
+                   .minimum = -kUnbounded,
+                   .fewest = 1,
+                   .most = 65536,
+                   .description = "the levels, largest first.",
+                   .inTable = true,
+                   .title = QT_TRANSLATE_NOOP("Procedures", "Levels"),
+                   .meaning = QT_TRANSLATE_NOOP(
+                       "Procedures", "What is presented, from the largest to the smallest difference.")})};
 }
 
 class DescendingKind final : public ProcedureKindOf<DescendingSpec> {

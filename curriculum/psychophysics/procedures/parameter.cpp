@@ -71,29 +71,29 @@ struct RangeCheck {
 
 std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(ProcedureSpec&)> rule) {
     std::vector<Parameter> rows;
-    rows.push_back(stopRow(
-        rule, &StopRule::trials,
-        {.key = "trials",
-         .maximum = kMostTrialsOfStop,
-         .description = "at most so many scored trials.",
-         .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
-         .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends after so many trials at the latest."),
-         .usual = UsualValue{}}));
+    rows.push_back(stopRow(rule, &StopRule::trials,
+                           {.key = "trials",
+                            .maximum = kMostTrialsOfStop,
+                            .description = "at most this many scored trials.",
+                            .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
+                            .meaning = QT_TRANSLATE_NOOP(
+                                "Procedures", "The run ends after this number of trials at the latest."),
+                            .usual = UsualValue{}}));
     Parameter reversals{.key = "reversals",
                         .maximum = kMostTrialsOfStop,
-                        .description = "so many reversals.",
+                        .description = "this many reversals.",
                         .ignored = !has.reversals};
     if (has.asksReversals) {
         reversals.title = QT_TRANSLATE_NOOP("Procedures", "Reversals until stop");
-        reversals.meaning = QT_TRANSLATE_NOOP(
-            "Procedures",
-            "The run ends once the direction has changed so often; 0: the trials alone end it.");
+        reversals.meaning =
+            QT_TRANSLATE_NOOP("Procedures", "The run ends once the direction has changed this many times; 0: "
+                                            "only the number of trials ends it.");
         reversals.usual = UsualValue{12};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
     Parameter fewest{.key = "minimum_trials",
                      .maximum = kMostTrialsOfStop,
-                     .description = "never before so many; at most as many as trials.",
+                     .description = "never before this many; at most as many as trials.",
                      .noMoreThan = "trials"};
     Parameter sd{.key = "sd",
                  .unit = "x",
@@ -105,7 +105,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         fewest.meaning =
             QT_TRANSLATE_NOOP("Procedures", "The run does not end earlier, however sure the estimate is.");
         fewest.usual = UsualValue{20};
-        sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop when known within");
+        sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop at this precision");
         sd.meaning = QT_TRANSLATE_NOOP(
             "Procedures",
             "The run ends once the threshold is known within this difference (one standard deviation).");

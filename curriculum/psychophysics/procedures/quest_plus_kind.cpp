@@ -79,7 +79,7 @@ Parameter functionRow() {
          .title = QT_TRANSLATE_NOOP("Procedures", "Psychometric function"),
          .meaning = QT_TRANSLATE_NOOP(
              "Procedures", "The shape by which right answers are assumed to grow with the difference."),
-         .change = QT_TRANSLATE_NOOP("Procedures", "Another function"),
+         .change = QT_TRANSLATE_NOOP("Procedures", "Change of the function"),
          .wordsFor = functionsFor,
          .follow = takeGridsOfFunction});
 }
@@ -91,11 +91,12 @@ std::vector<Parameter> questPlusRows() {
         rowOf(&Spec::repeatLimit,
               {.key = "repeat_limit",
                .maximum = 1000,
-               .description = "the same stimulus, in whatever rows it is given, at most so often in a row; 0 "
-                              "as often as it is best.",
+               .description =
+                   "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
+                   "as often as it is best.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "A difference is shown at most so often in succession; 0: no limit."),
+                   "Procedures", "How often in succession a difference is shown at most; 0: no limit."),
                .usual = UsualValue{4}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",

@@ -18,16 +18,16 @@ bool allowsTies(const ProcedureSpec& spec) {
 
 std::vector<Parameter> rank3Rows() {
     using Spec = Rank3Spec;
-    std::vector<Parameter> rows{
-        rowOf(&Spec::repeatLimit,
-              {.key = "repeat_limit",
-               .maximum = 1000,
-               .description = "the same stimulus, in whatever rows it is given, at most so often in a row; 0 "
-                              "as often as it is best.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "A difference is shown at most so often in succession; 0: no limit."),
-               .usual = UsualValue{4}})};
+    std::vector<Parameter> rows{rowOf(
+        &Spec::repeatLimit,
+        {.key = "repeat_limit",
+         .maximum = 1000,
+         .description = "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
+                        "as often as it is best.",
+         .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
+         .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                      "How often in succession a difference is shown at most; 0: no limit."),
+         .usual = UsualValue{4}})};
     // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
     std::vector<Parameter> rest{
@@ -40,18 +40,18 @@ std::vector<Parameter> rank3Rows() {
                              .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
                              .meaning = QT_TRANSLATE_NOOP(
                                  "Procedures", "Shares of careless answers that are considered possible.")}),
-        rowOf(&Spec::tieThresholds,
-              {.key = "tie_thresholds",
-               .maximum = 20,
-               .fewest = 1,
-               .description = "with allow_ties: grid of the difference felt, in sigma, below which "
-                              "neighbours are called equal.",
-               .item = "A threshold above 0.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Ties (in σ)"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures",
-                                            "Differences below which objects are called equal, in standard "
-                                            "deviations of what is felt, that are considered possible."),
-               .applies = allowsTies}),
+        rowOf(
+            &Spec::tieThresholds,
+            {.key = "tie_thresholds",
+             .maximum = 20,
+             .fewest = 1,
+             .description = "with allow_ties: grid of the difference felt, in sigma, below which "
+                            "neighbours are called equal.",
+             .item = "A threshold above 0.",
+             .title = QT_TRANSLATE_NOOP("Procedures", "Ties (in σ)"),
+             .meaning = QT_TRANSLATE_NOOP("Procedures", "Possible limits below which two objects are called "
+                                                        "equal, in standard deviations of what is felt."),
+             .applies = allowsTies}),
         rowOf(&Spec::log10Sigma,
               {.key = "log10_sigma",
                .unit = "log10 of log10",

@@ -53,8 +53,9 @@ std::vector<Parameter> staircaseRows() {
                .maximum = 100,
                .description = "consecutive right answers before a step down.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Right answers for a step down"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures", "So many right answers in succession make the next "
-                                                          "trial harder; 3 converge at about 80 % right."),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "How many right answers in succession make the next trial "
+                                            "harder; with 3 the run converges at about 80 % right answers."),
                .usual = UsualValue{3}}),
         rowOf(&Spec::up,
               {.key = "up",
@@ -63,7 +64,7 @@ std::vector<Parameter> staircaseRows() {
                .description = "consecutive wrong answers before a step up.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Wrong answers for a step up"),
                .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "So many wrong answers in succession make the next trial easier."),
+                   "Procedures", "How many wrong answers in succession make the next trial easier."),
                .usual = UsualValue{1}}),
         rowOf(&Spec::stepRatio,
               {.key = "step_ratio",
@@ -78,15 +79,16 @@ std::vector<Parameter> staircaseRows() {
                                  "73.93 % for three right answers (García-Pérez 1998)."),
                .zero = QT_TRANSLATE_NOOP("Procedures", "as listed"),
                .field = FieldRange{0, 1000, 2, 1}}),
-        rowOf(&Spec::estimateReversals,
-              {.key = "estimate_reversals",
-               .minimum = 2,
-               .maximum = 10000,
-               .description = "the estimate is the mean of so many last reversals, made even.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Reversals averaged"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures", "The staircase's own estimate is the mean of so "
-                                                          "many last reversals; the fit uses all trials."),
-               .usual = UsualValue{6}})};
+        rowOf(
+            &Spec::estimateReversals,
+            {.key = "estimate_reversals",
+             .minimum = 2,
+             .maximum = 10000,
+             .description = "the estimate is the mean of this many last reversals, made even.",
+             .title = QT_TRANSLATE_NOOP("Procedures", "Reversals averaged"),
+             .meaning = QT_TRANSLATE_NOOP("Procedures", "How many of the last reversals are averaged for the "
+                                                        "staircase's own estimate; the fit uses all trials."),
+             .usual = UsualValue{6}})};
     addStopRows<Spec>(rows, {.reversals = true, .reversalsAndTrials = true, .asksReversals = true});
     std::vector<Parameter> rest{
         rowOf(&Spec::stepsUp,
@@ -123,7 +125,7 @@ std::vector<Parameter> staircaseRows() {
         rowOf(&Spec::resetCounters,
               {.key = "reset_counters",
                .description = "consecutive answers are counted afresh after each step.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Count anew after each step"),
+               .title = QT_TRANSLATE_NOOP("Procedures", "Start counting again after each step"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "Right and wrong answers before a step do not count for the next one.")}),
         rowOf(&Spec::newStepAtReversal,

@@ -308,14 +308,14 @@ void TestLogin::theButtonOfAFormIsInSight() {
     QTRY_VERIFY_WITH_TIMEOUT(inSight("change.save") && inSight("change.back"), kPatience_ms);
 }
 
-/// "Nobody of this name" is said only if the list has names: an empty list may just not have been read yet.
+/// "Nobody with this name" is said only if the list has names: an empty list may just not have been read yet.
 void TestLogin::aListWithoutNamesMissesNobody() {
     tests::DesktopFixture desktop;
     desktop::NameList list(desktop.context.theme());
     list.show();
     QLabel* none = nullptr;
     for (auto* label : list.findChildren<QLabel*>())
-        if (label->text().startsWith(QStringLiteral("Nobody of this name")))
+        if (label->text().startsWith(QStringLiteral("Nobody with this name")))
             none = label;
     QVERIFY(none);
     list.setName(QStringLiteral("tina"));

@@ -3,7 +3,9 @@
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/background.h"
 #include "desktop/frame/command_palette.h"
+#include "desktop/frame/help_dialogs.h"
 #include "desktop/frame/instance_link.h"
+#include "desktop/frame/key_names.h"
 #include "desktop/frame/languages.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/login/login_screen.h"
@@ -285,6 +287,38 @@ private slots:
         palette = open();
         QTest::keyClick(palette, Qt::Key_Escape);
         QCOMPARE(ran.size(), 2);
+    }
+
+    /// Lists of shortcuts name keys as all other texts do, in the language of the program.
+    void keysAreNamedAsInTheTexts() {
+        tests::DesktopFixture desktop; // in English
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::CTRL | Qt::Key_PageDown)),
+                 QStringLiteral("Ctrl+Page Down"));
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::Key_PageUp)), QStringLiteral("Page Up"));
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
+            QCOMPARE(shortcutInWords(QKeySequence(key)), QStringLiteral("Enter"));
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::Key_Delete)), QStringLiteral("Delete"));
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::CTRL | Qt::Key_K)), QStringLiteral("Ctrl+K"));
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::Key_Escape)), QStringLiteral("Esc"));
+        QVERIFY(shortcutInWords({}).isEmpty());
+        const CommandGroup group{
+            QStringLiteral("Here"),
+            {{QStringLiteral("Read on"), QKeySequence(Qt::CTRL | Qt::Key_PageDown), {}}}};
+        QDialog* list = showShortcuts(desktop.context.theme(), {group}, desktop.window.get());
+        CommandPalette palette(desktop.context.theme(), {group}, nullptr);
+        QStringList shown;
+        for (const auto* label : list->findChildren<QLabel*>())
+            shown << label->text();
+        QVERIFY2(shown.contains(QStringLiteral("Ctrl+Page Down")), qPrintable(shown.join(u'|')));
+        const QString found = palette.findChild<QListWidget*>()->item(0)->text();
+        QVERIFY2(found.endsWith(QStringLiteral("(Ctrl+Page Down)")), qPrintable(found));
+        list->close();
+        desktop.settings.setLanguage(QStringLiteral("de"));
+        desktop.context.applyAppearance();
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::CTRL | Qt::Key_PageDown)), QStringLiteral("Strg+Bild ab"));
+        QCOMPARE(shortcutInWords(QKeySequence(Qt::Key_Return)), QStringLiteral("Enter"));
+        desktop.settings.setLanguage(QStringLiteral("en"));
+        desktop.context.applyAppearance();
     }
 
     /// Messages: what kind is seen and heard, errors stay until they are closed, an action is done once and

@@ -103,7 +103,7 @@ private slots:
         QVERIFY(desktop.screen<ExercisesScreen>() && loaded(desktop));
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.4")));
         auto* first = desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"));
-        QVERIFY(first && first->accessibleName().contains(QStringLiteral("Passed by touch")));
+        QVERIFY(first && first->accessibleName().contains(QStringLiteral("Passed with felt force")));
     }
 
     void trainerSeesTroubleFirst() {
@@ -747,7 +747,7 @@ private slots:
         for (const char* told : {"Nordklinik", "rhea", "bench-2", "A device", "SN-7", "1.2 build", "41"})
             QVERIFY2(head.contains(QLatin1String(told)), told);
         QVERIFY(head.join(QString()).contains(QStringLiteral("2026")));
-        QCOMPARE(serialWords(QString()), QStringLiteral("not told by the device"));
+        QCOMPARE(serialWords(QString()), QStringLiteral("not reported by the device"));
         QCOMPARE(serialWords(std::nullopt), QStringLiteral("none")); // there is no device
         QCOMPARE(failed.tables.front().lines[1].mid(1), QStringList({"0.310 %", "at most 0.300 %", "FAIL"}));
         result.loop.late = 30;

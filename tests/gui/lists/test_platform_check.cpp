@@ -56,7 +56,7 @@ private slots:
         QVERIFY(desktop.find<QWidget>(QStringLiteral("station.verdict")));
         QVERIFY(desktop.find<QLabel>(QStringLiteral("station.serial"))
                     ->text()
-                    .contains(QStringLiteral("not told by the device"))); // it is a simulation
+                    .contains(QStringLiteral("not reported by the device"))); // it is a simulation
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.fingers"))->rowCount(), 8);
         QVERIFY(desktop.find<report::PlotView>(QStringLiteral("station.sine")));
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);

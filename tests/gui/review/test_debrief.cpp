@@ -462,7 +462,7 @@ void TestDebrief::erasedRecordingKeepsTheScores() {
 void TestDebrief::notMine() {
     m_site->logIn("tom");
     open(m_bad);
-    QVERIFY2(texts("debrief.change").value(0).startsWith(QStringLiteral("Since the attempt before: ")),
+    QVERIFY2(texts("debrief.change").value(0).startsWith(QStringLiteral("Since the previous attempt: ")),
              qPrintable(texts("debrief.change").value(0)));
     open(m_good);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.again")));

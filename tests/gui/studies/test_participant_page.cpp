@@ -895,7 +895,7 @@ void TestParticipantPage::anUnpluggedScreenBringsThePageBack() {
     QVERIFY(screen->atDesk()); // the experimenter was there, and sees what happened
     QVERIFY(screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"))
                 ->text()
-                .contains(QStringLiteral("screen is gone")));
+                .contains(QStringLiteral("no longer connected")));
     tests::sittingButton(screen, "trials.to_page")->click();
     QVERIFY(page(screen)->isVisible());
     tests::sittingButton(screen, "break.button")->click();

@@ -600,7 +600,7 @@ void TestStudyDesign::whatIsRemovedComesBack() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
     late();
-    QVERIFY(told.back().text.contains(QStringLiteral("left since")));
+    QVERIFY(told.back().text.contains(QStringLiteral("left the study since then")));
 }
 
 /// The differences are spaced geometrically, and the text says so; ends that are the wrong way round are told
@@ -808,6 +808,20 @@ void TestStudyDesign::instructionsInThreeLanguages() {
                  apex.contains(QStringLiteral("highest point")) &&
                  !apex.contains(QStringLiteral("to answer")),
              qPrintable(apex));
+    // The time of a study with both: the objects of a comparison go away, and a search ends.
+    psychophysics::StudyDesign both = tests::smallStudy("both");
+    both.trial.exploreLimit_s = 41;
+    both.conditions.push_back(tests::apexStudy("apex", 10).conditions.front());
+    const QString mixed = desktop::participantSentences(both, QStringLiteral("en")).join(QLatin1Char(' '));
+    QVERIFY2(mixed.contains(QStringLiteral("Then the objects go away")) &&
+                 mixed.contains(QStringLiteral("the trial ends after these 41 seconds")),
+             qPrintable(mixed));
+    // An object alone is compared with a reference that no trial presents: it is said where that comes from.
+    for (psychophysics::Condition& condition : study.conditions)
+        condition.task = psychophysics::Task::yesNo;
+    const QString alone = desktop::participantSentences(study, QStringLiteral("en")).join(QLatin1Char(' '));
+    QVERIFY2(alone.contains(QStringLiteral("the reference, which the experimenter shows you")),
+             qPrintable(alone));
     // In the languages that the researcher wrote in; in all where nothing was written.
     study.ownInstructions = psychophysics::StudyText{{"en", "One."}, {"de", "Eins."}};
     desktop::renewInstructions(study);

@@ -229,7 +229,7 @@ void TestTextClaims::freezingCountsParticipants_data() {
     QTest::addColumn<QString>("words");
     QTest::newRow("none") << 0 << desktop::FreezeCheck::State::bad << QStringLiteral("at least one");
     QTest::newRow("one") << 1 << desktop::FreezeCheck::State::advice
-                         << QStringLiteral("One participant says nothing of others");
+                         << QStringLiteral("One participant says nothing about others");
     QTest::newRow("two") << 2 << desktop::FreezeCheck::State::good << QStringLiteral("2");
     QTest::newRow("twelve") << 12 << desktop::FreezeCheck::State::good << QStringLiteral("12");
 }

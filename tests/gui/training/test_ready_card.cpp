@@ -15,8 +15,10 @@
 
 #include <QDialog>
 #include <QKeyEvent>
+#include <QLayout>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSet>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -65,6 +67,7 @@ private slots:
     void theFirstCardIsReadWithSpace();
     void theMovementsAreThoseOfTheDeviceInHand();
     void howToChangeTheInstrumentIsOnTheCard();
+    void theMovementsStandInOneRowWhereTheyFit();
     void practiceEndsWithoutAnyButtonInHand();
     void whoIsNewMayWatchFirst();
     void afterAPauseEnterMarks();
@@ -384,6 +387,51 @@ void TestReadyCard::howToChangeTheInstrumentIsOnTheCard() {
             QVERIFY2(how.contains(QStringLiteral("Change the instrument")) == instruments, qPrintable(how));
         }
     QVERIFY(several >= 3);
+}
+
+/// Side by side with a mouse and with a handle, however many there are, in every window and at every scale in
+/// which their widths have room; below each other only where they have not.
+void TestReadyCard::theMovementsStandInOneRowWhereTheyFit() {
+    using devices::HandKind;
+    const TrainingBench bench; // its application has the theme's style
+    int inOneRow = 0, below = 0;
+    for (const double scale : {1.0, 1.1, 1.25, 1.5, 2.0}) {
+        const auto theme = desktop::Theme::load(desktop::ThemeName::light, scale);
+        QVERIFY(theme);
+        for (const QSize window : {QSize(960, 540), QSize(1280, 800), QSize(1600, 1000)})
+            for (const auto& [hand, tools] : {std::pair{HandKind::mouseAndKeyboard, 1},
+                                              {HandKind::mouseAndKeyboard, 2},
+                                              {HandKind::handle, 2}}) {
+                desktop::ReadyFacts facts;
+                facts.goal = QStringLiteral("A goal.");
+                facts.controls = desktop::controlGuide(session::PointerTool::grasper, hand, tools);
+                ReadyCard shown(*theme, facts, ReadyCard::Kind::first);
+                shown.resize(window);
+                shown.show();
+                QVERIFY(QTest::qWaitForWindowExposed(&shown));
+                std::vector<QWidget*> tiles;
+                for (auto* picture : shown.findChildren<desktop::MousePictogram*>())
+                    tiles.push_back(picture->parentWidget());
+                QCOMPARE(tiles.size(), facts.controls.size());
+                auto* page = shown.findChild<QScrollArea*>(QStringLiteral("training.ready.page"));
+                QVERIFY(page);
+                const int count = static_cast<int>(tiles.size());
+                const int gap_px = tiles.front()->parentWidget()->layout()->spacing();
+                const auto fit = [&] {
+                    return count * tiles.front()->width() + (count - 1) * gap_px <=
+                           page->widget()->layout()->contentsRect().width();
+                };
+                const auto rows = [&tiles] {
+                    QSet<int> tops;
+                    for (const QWidget* tile : tiles)
+                        tops.insert(tile->y());
+                    return tops.size();
+                };
+                QTRY_COMPARE_WITH_TIMEOUT(rows() == 1, fit(), kPatience_ms);
+                ++(fit() ? inOneRow : below);
+            }
+    }
+    QVERIFY(inOneRow > 0 && below > 0);
 }
 
 void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {

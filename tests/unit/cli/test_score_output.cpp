@@ -31,7 +31,7 @@ void TestScoreOutput::aMissingValueIsExplained() {
         undefined("only 2 regions with a lump and 1 without: 5 of each are needed"),
         undefined("a reason of a later version")};
     const QString text = cli::metricsText(metrics);
-    QVERIFY2(text.contains(QStringLiteral("no lump found was given a size")) &&
+    QVERIFY2(text.contains(QStringLiteral("none of the lumps found was given a size")) &&
                  !text.contains(QStringLiteral("was said")),
              qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("only 2 regions with a lump and 1 without: 5 of each are needed")),

@@ -214,7 +214,7 @@ void TestProcedureReader::faults_data() {
         "$.steps_up[1]: 1e+10: expected ");
     add("list beyond it",
         "{\"kind\": \"staircase\", \"steps_up\": [0.1" + QByteArray(",0.1").repeated(1000) + "]}",
-        "$.steps_up: an array of 1001: expected an array of so many, 1 to 1000");
+        "$.steps_up: an array of 1001: expected an array of this many elements, 1 to 1000");
     add("inside a list", R"({"kind": "constant", "levels": [1, 1e10]})",
         "$.levels[1]: 1e+10: expected a number, -1e+09 to 1e+09 x");
     add("catch trials",

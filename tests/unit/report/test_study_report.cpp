@@ -245,7 +245,7 @@ void TestStudyReport::tellsOfMarks() {
     QVERIFY(report(done(design, sha256), file("apex.pdf")));
     const QString text = textOf(file("apex.pdf"));
     for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks around the true apex",
-                             "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
+                             "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "simulated observer"})
         QVERIFY2(text.contains(QLatin1String(word)),
                  qPrintable(QLatin1String(word) + QStringLiteral(" is not in: ") + text));
     QVERIFY(!text.contains(QStringLiteral("Weber fraction of the group")));

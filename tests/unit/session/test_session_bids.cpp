@@ -5,6 +5,8 @@
 #include "support/made_session.h"
 
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 #include <filesystem>
 
@@ -45,7 +47,7 @@ private slots:
     void lengthIsThatOfItsFrames();
     void trialsLastToTheirLastTick();
     void eventsAtASingleTick();
-    void tissueThatGaveWayHasAPlace();
+    void tissueThatGaveWayHasItsLoadAndPlace();
 
 private:
     tests::SessionFixture m_fixture;
@@ -116,11 +118,14 @@ void TestSessionBids::eventsAtASingleTick() {
                  lines[i + 1].constData());
 }
 
-/// An event of its own, with the tip's place; the sidecar says what its columns mean. Without such an event
-/// there are no such columns (trialsLastToTheirLastTick).
-void TestSessionBids::tissueThatGaveWayHasAPlace() {
+/// An event of its own, with the tool, the load and the tip's place; the sidecar says what its columns mean,
+/// and the README that there are such events. Without such an event there are no such columns
+/// (trialsLastToTheirLastTick).
+void TestSessionBids::tissueThatGaveWayHasItsLoadAndPlace() {
     tests::MadeSession made = m_made;
     constexpr std::size_t kAt = 700;
+    made.frames[kAt - 1].tool[0].tissue = {0.0, 0.0, 2.5, 0.0, 0.004, 0.0}; // what it bore last
+    made.frames[kAt].tool[0].tissue = {0.0, 0.0, 1.5, 0.0, 0.003, 0.0};
     made.frames[kAt].tool[0].status |= core::contactStatus(core::contact_bits::kYielded);
     const auto id = tests::store(*m_fixture.database, m_actor, made);
     const tests::OpenStored stored(*m_fixture.database, id);
@@ -128,25 +133,37 @@ void TestSessionBids::tissueThatGaveWayHasAPlace() {
     const auto done = session::exportSessionBids(*stored.session, folder.toStdString());
     QVERIFY2(done, done ? "" : done.error().message.c_str());
     const QList<QByteArray> lines = linesOf(folder, "_events.tsv");
-    QCOMPARE(lines.front(),
-             QByteArray("onset\tduration\ttrial_type\tordinal\tposition_x\tposition_y\tposition_z"));
+    const QList<QByteArray> columns = lines.front().split('\t');
+    QCOMPARE(columns, QList<QByteArray>({"onset", "duration", "trial_type", "ordinal", "tool", "force",
+                                         "torque", "position_x", "position_y", "position_z"}));
     const core::Vec3 place = stored.session->positions().p_WT_m(0, made.frames[kAt].tool[0]);
     int found = 0;
     for (const QByteArray& line : lines.mid(1)) {
         const QList<QByteArray> cells = line.split('\t');
-        QCOMPARE(cells.size(), 7);
+        QCOMPARE(cells.size(), columns.size());
         if (cells[2] != session::kTissueYielded) {
-            QCOMPARE(cells[4], QByteArray("n/a"));
+            for (const QByteArray& cell : cells.mid(4))
+                QCOMPARE(cell, QByteArray("n/a"));
             continue;
         }
         ++found;
         QVERIFY(std::abs(cells[0].toDouble() - 1e-3 * double(made.frames[kAt].header.index)) < 1e-9);
+        QCOMPARE(cells[4], QByteArray("0"));
+        QVERIFY(std::abs(cells[5].toDouble() - 2.5) < 1e-3);
+        QVERIFY(std::abs(cells[6].toDouble() - 0.004) < 1e-5);
         for (int axis = 0; axis < 3; ++axis)
-            QVERIFY(std::abs(cells[4 + axis].toDouble() - place[axis]) < 1e-12);
+            QVERIFY(std::abs(cells[7 + axis].toDouble() - place[axis]) < 1e-12);
     }
     QCOMPARE(found, 1);
-    const QByteArray sidecar = linesOf(folder, "_events.json").join('\n');
-    QVERIFY(sidecar.contains("position_x") && sidecar.contains(session::kTissueYielded));
+    const QJsonObject sidecar = QJsonDocument::fromJson(linesOf(folder, "_events.json").join('\n')).object();
+    for (const QByteArray& column : columns)
+        QVERIFY2(!sidecar[QLatin1String(column)]["Description"].toString().isEmpty(), column.constData());
+    QCOMPARE(sidecar["force"]["Units"].toString(), QStringLiteral("N"));
+    const QJsonObject types = sidecar["trial_type"]["Levels"].toObject();
+    QCOMPARE(types.keys(), QStringList({QLatin1String(session::kTissueYielded), QStringLiteral("trial")}));
+    const QByteArray readme = linesOf(folder, "/README").join('\n');
+    for (const char* word : {session::kTissueYielded, "perforation", "force and torque", "where"})
+        QVERIFY2(readme.contains(word), readme.constData());
 }
 
 QTEST_GUILESS_MAIN(TestSessionBids)

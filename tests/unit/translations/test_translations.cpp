@@ -268,15 +268,8 @@ private slots:
         QFETCH(QString, locale);
         QStringList faults;
         GlossaryStems stems(stemsFile(), faults);
-        std::vector<Sentence> sentences =
-            contentSentences(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content"), locale, faults);
+        const std::vector<Sentence> sentences = everySentence(locale, faults);
         QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
-        QVERIFY(sentences.size() > 400);
-        const auto messages = readTs(catalogue(locale));
-        QVERIFY(messages.has_value());
-        for (const TsMessage& message : *messages)
-            for (const QString& translation : message.translations)
-                sentences.push_back({message.context, message.source, translation});
         for (const Sentence& sentence : sentences)
             for (const QString& term : stems.missingIn(sentence, locale))
                 faults << QStringLiteral("%1 is missing in %2: \"%3\" \"%4\"")
@@ -285,6 +278,55 @@ private slots:
             faults << QStringLiteral("an exception that nothing needs: ") + exception;
         QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
         QVERIFY2(stems.found() > 2000, qPrintable(QString::number(stems.found())));
+    }
+
+    /// A key has one name in each language: that of the lists of shortcuts, in which Qt names a key where the
+    /// program does not.
+    void keysHaveOneName_data() { inTranslation(); }
+    void keysHaveOneName() {
+        QFETCH(QString, locale);
+        static const QRegularExpression otherNames(QStringLiteral(
+            "\\b(PageUp|PageDown|PgUp|PgDown|PgDn|Escape|Spacebar|[Ss]pace bar|Del|Return)\\b"));
+        // In the middle of a sentence or in brackets: as first words these are verbs.
+        static const QString notFirst = QStringLiteral("(?<=[a-z,:] |\\()%1\\b");
+        QHash<QString, QRegularExpression> patterns;
+        for (const char* key : {"Enter", "Delete", "Shift"})
+            patterns[QLatin1String(key)] = QRegularExpression(notFirst.arg(QLatin1String(key)));
+        for (const char* key : {"Esc", "Space", "Backspace", "Tab", "Ctrl", "Alt", "Page Up", "Page Down"})
+            patterns[QLatin1String(key)] =
+                QRegularExpression(QStringLiteral("\\b%1\\b").arg(QLatin1String(key)));
+        QStringList faults;
+        const std::vector<Sentence> sentences = everySentence(locale, faults);
+        QHash<QString, QString> names;
+        const QString qtsNames = QStringLiteral("QShortcut"), ownNames = QStringLiteral("KeyNames");
+        for (const QString& context : {qtsNames, ownNames})
+            for (const Sentence& sentence : sentences)
+                if (sentence.place == context)
+                    names[sentence.source] = sentence.translation;
+        int checked = 0;
+        for (const Sentence& sentence : sentences) {
+            if (sentence.place == qtsNames)
+                continue;
+            if (const auto other = otherNames.match(sentence.source); other.hasMatch())
+                faults << QStringLiteral("%1 in %2: \"%3\"")
+                              .arg(other.captured(), sentence.place, sentence.source);
+            for (auto key = patterns.cbegin(); key != patterns.cend(); ++key) {
+                if (!sentence.source.contains(key.value()))
+                    continue;
+                ++checked;
+                const QString name = names.value(key.key());
+                if (name.isEmpty() || !sentence.translation.contains(name))
+                    faults << QStringLiteral("%1 is not \"%2\" in %3: \"%4\" \"%5\"")
+                                  .arg(key.key(), name, sentence.place, sentence.source,
+                                       sentence.translation);
+            }
+        }
+        for (const auto& [qts, own] :
+             {std::pair{"PgUp", "Page Up"}, {"PgDown", "Page Down"}, {"Del", "Delete"}, {"Return", "Enter"}})
+            if (names.value(QLatin1String(qts)) != names.value(QLatin1String(own)))
+                faults << QStringLiteral("%1 has two names").arg(QLatin1String(own));
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+        QVERIFY2(checked > 50, qPrintable(QString::number(checked)));
     }
 
     /// Where force is shown and not felt, no text at work may speak of feeling. The pairs that differ between
@@ -352,6 +394,23 @@ private:
         QTest::addColumn<int>("cell"); // of the glossary, whose columns are in the order of the languages
         for (int cell = 1; cell < locales().size(); ++cell)
             QTest::newRow(qPrintable(locales()[cell])) << locales()[cell] << cell;
+    }
+
+    /// The texts of the content and of the catalogue, with every form of those that count. Faults: what
+    /// cannot be read.
+    static std::vector<Sentence> everySentence(const QString& locale, QStringList& faults) {
+        std::vector<Sentence> sentences =
+            contentSentences(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content"), locale, faults);
+        if (sentences.size() <= 400)
+            faults << QStringLiteral("only %1 texts of the content").arg(sentences.size());
+        const auto messages = readTs(catalogue(locale));
+        if (!messages)
+            faults << catalogue(locale) + QStringLiteral(": cannot be read");
+        else
+            for (const TsMessage& message : *messages)
+                for (const QString& translation : message.translations)
+                    sentences.push_back({message.context, message.source, translation});
+        return sentences;
     }
 
     static QString stemsFile() {

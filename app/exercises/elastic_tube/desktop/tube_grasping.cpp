@@ -74,8 +74,8 @@ QString heldTube(const core::LaparoscopyCues& cues) {
     for (int i = 0; i < cues.grips; ++i)
         held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
     if (cues.foldHeldBy != 0)
-        return held > 1   ? GraspTexts::tr("Holding: the fold and two places of the tube")
-               : held > 0 ? GraspTexts::tr("Holding: the fold and one place of the tube")
+        return held > 1   ? GraspTexts::tr("Holding: the fold, and the tube at two points")
+               : held > 0 ? GraspTexts::tr("Holding: the fold, and the tube at one point")
                           : GraspTexts::tr("Holding: the fold");
     if (held > 0)
         return held > 1 ? GraspTexts::tr("Holding: the tube at two points")

@@ -48,7 +48,7 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
         facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring")
                      .arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
     if (p.organBed)
-        facts << LevelFactTexts::tr("Surface: a soft organ that gives way");
+        facts << LevelFactTexts::tr("Surface: a soft organ that deforms");
     return facts << trialsFact(p.trials, p.trialLimit_s, locale);
 }
 

@@ -304,10 +304,9 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment at the bend"),
               .meaning = QT_TRANSLATE_NOOP(
-                  "Metrics",
-                  "The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm "
-                  "of the bend, where the "
-                  "endoscope has to be turned. In line, the wall near the tip is equally wide all round."),
+                  "Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, "
+                             "within 10 mm of the bend, where the endoscope has to be turned. When the two "
+                             "are in line, the wall near the tip is equally wide all round."),
               .definition = "Root mean square of the angle between the instrument's axis and the "
                             "centre-line's tangent over the samples of the "
                             "insertion within 10 mm of the bend (s_B), where the orientation has to change.",
@@ -318,10 +317,9 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment round the bend"),
               .meaning = QT_TRANSLATE_NOOP(
-                  "Metrics",
-                  "The angle between the endoscope and the urethra at its tip, on the way in, from the bend "
-                  "to 30 mm past it, where "
-                  "the urethra is curved most. In line, the wall near the tip is equally wide all round."),
+                  "Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, "
+                             "from the bend to 30 mm past it, where the urethra is curved most. When the two "
+                             "are in line, the wall near the tip is equally wide all round."),
               .definition = "Root mean square of the angle between the instrument's axis and the "
                             "centre-line's tangent over the samples of the "
                             "insertion from the bend B to 30 mm past it, where the canal is curved most.",
