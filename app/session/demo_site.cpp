@@ -156,6 +156,14 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
 
 } // namespace
 
+bool DemoSite::holds() const {
+    return study.replayIdentical &&
+           std::all_of(sessions.begin(), sessions.end(),
+                       [](const DemoResult& each) { return each.replayIdentical && each.scoreSame; }) &&
+           std::all_of(study.runs.begin(), study.runs.end(),
+                       [](const DemoStudyRun& each) { return each.choicesSame; });
+}
+
 core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
                                     std::uint64_t seed,
                                     const std::function<void(const DemoProgress&)>& progress,

@@ -37,6 +37,10 @@ struct DemoProgress {
 struct DemoSite {
     std::vector<DemoResult> sessions; ///< sessions of exercises
     DemoStudy study;
+
+    /// Every session and the study's rendered one give the same forces again, every session the same scores,
+    /// and every run of the study the same choices.
+    bool holds() const;
 };
 
 /// Accounts of a demonstration site. Their password is documented, and the database is marked

@@ -100,11 +100,9 @@ core::Result<void> analyse(database::Database& database, const database::Actor& 
     made.condition = condition.condition;
     made.group = std::move(condition.group);
     for (AnalysedRun& run : condition.runs) {
-        const bool same =
-            run.replayed.sameProcedures && run.replayed.same + run.replayed.ties == run.replayed.trials;
         const database::SessionId session = run.trials.front().session;
-        made.runs.push_back(
-            {run.participant.code, run.participant.observer, session, std::move(run.estimate), same});
+        made.runs.push_back({run.participant.code, run.participant.observer, session, std::move(run.estimate),
+                             run.replayed.identical()});
         if (session == 0)
             continue;
         const auto alike = replaysAlike(database, author, session);

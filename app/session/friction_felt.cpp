@@ -17,6 +17,11 @@ namespace {
 using core::Vec3;
 
 constexpr std::array<double, 6> kSpeeds_m_per_s{0.001, 0.010, 0.020, 0.050, 0.100, 0.150};
+/// At and above this speed, the compensation must reduce the friction felt by at least the fraction kTaken
+/// ...
+constexpr double kMoving_m_per_s = 0.045;
+constexpr double kTaken = 0.6;     ///< ... of the friction felt at the lowest speed
+constexpr double kStill_N = 0.001; ///< a larger change is a push on a still hand
 constexpr double kArming_s = 3.0, kHeld_s = 2.0, kTurn_s = 0.5;
 constexpr double kSettling = 0.4; ///< fraction of a half that is left out at its start
 constexpr double kBraking = 0.1;  ///< fraction that is left out at its end
@@ -166,6 +171,19 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
 }
 
 } // namespace
+
+bool FrictionFelt::holds() const {
+    double breaking_N = 0.0; // in the direction of the row
+    for (const FrictionFeltRow& row : rows) {
+        if (row.speed_m_per_s <= kSpeeds_m_per_s.front())
+            breaking_N = row.before_N;
+        if (!(row.after_N > 0.0))
+            return false;
+        if (row.speed_m_per_s >= kMoving_m_per_s && !(row.after_N < row.before_N - kTaken * breaking_N))
+            return false;
+    }
+    return workAfter_J > 0.0 && heldAfter_N <= heldBefore_N + kStill_N;
+}
 
 core::Result<FrictionFelt> feelFriction(const mechanisms::GimbalPlantParameters& plant, double compensation) {
     const auto before = feel(plant, 0.0);

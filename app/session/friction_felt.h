@@ -24,6 +24,10 @@ struct FrictionFelt {
                                                   ///< nothing moves by itself
     double workBefore_J = 0.0, workAfter_J = 0.0; ///< work of the hand in all closed strokes; positive: no
                                                   ///< energy is generated
+
+    /// False if the compensation takes too little of the friction that a moving hand feels, pushes the hand
+    /// by itself or generates energy. `rows`: of each direction by rising speed.
+    bool holds() const;
 };
 
 /// Measures the friction of the gimbal (P2) while a simulated hand moves it to and fro at 1 to 150 mm/s

@@ -92,13 +92,19 @@ void TestCliAccounts::peopleComeAndChange() {
     QCOMPARE(carol["roles"].toArray(), QJsonArray({"trainer", "researcher"}));
     QCOMPARE(object(as("alice", kAlice, {"user", "role", "carol", "--role", "trainer"}))["roles"].toArray(),
              QJsonArray({"trainer"}));
+    QCOMPARE(refusalFault(as("alice", kAlice, {"user", "role", "carol", "--role", "trainer,boss"}), 2,
+                          {"user role", "--role", "boss"}),
+             QString());
     QCOMPARE(object(as("alice", kAlice, {"user", "disable", "bob"}))["enabled"].toBool(true), false);
     QCOMPARE(as("bob", kBob, {"user", "list"}).exitCode, 2); // a closed account opens nothing
     QCOMPARE(object(as("alice", kAlice, {"user", "enable", "bob"}))["enabled"].toBool(false), true);
     const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
     QCOMPARE(people.size(), 3);
-    for (const QJsonValue& person : people)
+    for (const QJsonValue& person : people) {
         QVERIFY(person["name"].toString() != QLatin1String("simulated"));
+        if (person["name"].toString() == QLatin1String("carol"))
+            QCOMPARE(person["roles"].toArray(), QJsonArray({"trainer"})); // refused roles changed nothing
+    }
     QCOMPARE(as("alice", kAlice, {"user", "add", "BOB", "--role", "trainee"}, kBob).exitCode,
              3); // taken but for case
     QCOMPARE(as("alice", kAlice, {"user", "disable", "nobody"}).exitCode, 3);

@@ -17,6 +17,7 @@ class TestCliInsertion : public QObject {
 private slots:
     void initTestCase();
     void trainedScoredReplayedExported();
+    void scoredByAnotherVersionOfItsMetrics();
     void aTraceWithoutOrientationIsRefused();
 
 private:
@@ -91,6 +92,29 @@ void TestCliInsertion::trainedScoredReplayedExported() {
     const QJsonObject measured =
         object(runCli({"metrics", folder + "/session_" + id + ".csv", "--metric", ids, "--json"}));
     QCOMPARE(valuesOf(measured), values); // as exported, to the last digit
+}
+
+/// A metric that has no such version keeps the one before it. Another value than the stored one is then a
+/// result and no failure; a version that no metric has is refused.
+void TestCliInsertion::scoredByAnotherVersionOfItsMetrics() {
+    const auto scored = [&](const char* version) {
+        return cli({"score", "1", "--metric-version", QString::fromLatin1(version)});
+    };
+    const auto versionOf = [](const CliRun& run, const char* id) {
+        for (const QJsonValue& metric : object(run)["metrics"].toArray())
+            if (metric["id"].toString() == QLatin1String(id))
+                return metric["version"].toInt();
+        return 0;
+    };
+    const CliRun first = scored("1"), second = scored("2");
+    QCOMPARE(first.exitCode, 0);
+    QCOMPARE(second.exitCode, 0);
+    QVERIFY(!object(first)["same"].toBool(true) && object(second)["same"].toBool()); // level 1 has the second
+    QCOMPARE(versionOf(first, "critical_errors"), 1);
+    QCOMPARE(versionOf(second, "critical_errors"), 2);
+    for (const CliRun& run : {first, second})
+        QCOMPARE(versionOf(run, "offset_rms"), 1);
+    QCOMPARE(refusalFault(scored("9"), 3, {"score: ", "version 9"}), QString());
 }
 
 void TestCliInsertion::aTraceWithoutOrientationIsRefused() {

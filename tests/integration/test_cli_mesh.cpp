@@ -169,10 +169,17 @@ void TestCliMesh::aLargeImportIsContentToo() {
 
 void TestCliMesh::idsAreChecked() {
     const QString path = file("organ.obj", simulation::writeObj(organ()));
-    for (const char* id : {"My organ", "1st", "../x"}) {
+    for (const QString& id : {QStringLiteral("My organ"), QStringLiteral("1st"), QStringLiteral("../x"),
+                              QStringLiteral("_x"), QStringLiteral("x{"), QStringLiteral("x`"),
+                              QStringLiteral("x:"), QStringLiteral("x/"), QString(41, QLatin1Char('x'))}) {
         const QString fault =
             refusalFault(runCli({"mesh", "import", path, "--id", id}), 3, {"--id", "lower-case letters"});
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    }
+    for (const QString& id :
+         {QStringLiteral("a_0"), QStringLiteral("z9_az"), QString(40, QLatin1Char('x'))}) {
+        const CliRun run = runCli({"mesh", "import", path, "--id", id});
+        QVERIFY2(run.exitCode == 0 && run.out.contains(id.toUtf8()), run.err.constData());
     }
     QCOMPARE(runCli({"mesh", "import", path}).exitCode, 2);
 }

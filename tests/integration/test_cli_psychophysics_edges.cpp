@@ -18,6 +18,8 @@ private slots:
     void largeTables();
     void noBetterThanGuessing_data();
     void noBetterThanGuessing();
+    void aRateWithoutAnEnd_data();
+    void aRateWithoutAnEnd();
     void countsGivenTwice();
     void tablesOfCounts();
     void tablesThatHoldNoCounts_data();
@@ -66,6 +68,7 @@ void TestCliPsychophysicsEdges::answersThatAreNone_data() {
     QTest::newRow("an order to a staircase") << kStaircase << QByteArray("b<a<c\n");
     QTest::newRow("a right order to a staircase") << kStaircase << QByteArray("a<b<c\n");
     QTest::newRow("an order to two outcomes") << kTwoOutcomes << QByteArray("a<b<c\n");
+    QTest::newRow("one outcome too many") << kStaircase << QByteArray("2\n");
     QTest::newRow("less than") << kStaircase << QByteArray("<\n");
     QTest::newRow("a null byte") << kStaircase << QByteArray("1\0\n", 3);
     QTest::newRow("a sign") << kStaircase << QByteArray("+1\n");
@@ -154,6 +157,35 @@ void TestCliPsychophysicsEdges::noBetterThanGuessing() {
     const CliRun run = runCli(QStringList{"psychophysics", "dprime", "--json"} + options);
     QVERIFY2(run.exitCode == 0, run.err.constData());
     QVERIFY2(warns(object(run.out), "chance"), run.out.constData());
+}
+
+void TestCliPsychophysicsEdges::aRateWithoutAnEnd_data() {
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<bool>("endless");
+    for (const char* task : {"2afc", "mafc", "triangle", "abx", "tetrad"})
+        for (const char* proportion : {"0.9", "1"})
+            QTest::addRow("%s, %s", task, proportion)
+                << QStringList{"--task", task, "--proportion", proportion}
+                << (QLatin1String(proportion) == QLatin1String("1"));
+    const auto answered = [](const char* hits, const char* misses, const char* alarms,
+                             const char* rejections) {
+        return QStringList{"--task",   "yes-no", "--uncorrected",  "--hits", hits,
+                           "--misses", misses,   "--false-alarms", alarms,   "--correct-rejections",
+                           rejections};
+    };
+    QTest::newRow("every signal is told") << answered("50", "0", "7", "43") << true;
+    QTest::newRow("never a false alarm") << answered("40", "10", "0", "50") << true;
+    QTest::newRow("some of each") << answered("40", "10", "7", "43") << false;
+}
+
+/// Where a rate is 0 or 1, d' has no value, and that is said; elsewhere nothing is said of it.
+void TestCliPsychophysicsEdges::aRateWithoutAnEnd() {
+    QFETCH(QStringList, options);
+    QFETCH(bool, endless);
+    const CliRun run = runCli(QStringList{"psychophysics", "dprime", "--json"} + options);
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    QCOMPARE(warns(object(run.out), "no_limit"), endless);
+    QCOMPARE(object(run.out)["d_prime"].isDouble(), !endless);
 }
 
 void TestCliPsychophysicsEdges::countsGivenTwice() {

@@ -15,6 +15,10 @@ private slots:
     void oneByOne();
     void generatedTables_data();
     void generatedTables();
+    void whatMustBeGiven_data();
+    void whatMustBeGiven();
+    void readingNeedsADatabase_data();
+    void readingNeedsADatabase();
     void rangesAreSaid_data();
     void rangesAreSaid();
     void endsOfRangesAreTaken_data();
@@ -111,6 +115,12 @@ void TestCliRefuses::oneByOne_data() {
     row("control characters", {QStringLiteral("e\u001b[31mvil\n")}, 2, {"\\u001b", "\\u000a"});
     row("long password input", words("user list --as ada --password-stdin"), 3,
         {"stdin: more than 16384 bytes"}, QByteArray(16385, 'x'));
+    for (const char* given : {"-p", "-password"})
+        for (const char* after : {" hunter2hunter2", "=hunter2hunter2"})
+            QTest::addRow("password by %s%s", given, after)
+                << words("user list --as ada") + words((QByteArray(given) + after).constData()) << 2
+                << QStringList{QLatin1String(given) + QLatin1String(": passwords"), "CHIRON_PASSWORD"}
+                << QByteArray();
     row("long word", {QString(5000, QLatin1Char('x'))}, 2, {"…"});
     row("group alone", {"device"}, 2, {"device", "second word", "list"});
     row("group with a wrong word", words("device lst"), 2, {"\"lst\"", "list"});
@@ -300,6 +310,53 @@ void TestCliRefuses::generatedTables() {
     QFETCH(QByteArray, input);
     QFETCH(QString, place);
     check(runCli({"evaluate", "hemisphere"}, input), 3, {place});
+}
+
+// An option without which a command means nothing is asked for by its name, before anything is read.
+void TestCliRefuses::whatMustBeGiven_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("option");
+    for (const auto& [command, option] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"init", "admin"},
+             {"train sphere_apex", "operator"},
+             {"report 1", "pdf"},
+             {"user add bob", "role"},
+             {"user role bob", "role"},
+             {"person erase bob", "reason"},
+             {"psychophysics compare answers.csv", "by"},
+             {"study plan stiffness_2afc", "observer"},
+             {"study consent 1", "participant"},
+             {"study withdraw 1", "participant"},
+             {"study erase 1 --reason x", "participant"},
+             {"study erase 1 --participant X01", "reason"},
+             {"study unblind 1", "reason"},
+             {"study questionnaire template 1", "out"},
+             {"study export 1", "out"}})
+        QTest::addRow("%s without --%s", command, option) << words(command) << QString::fromLatin1(option);
+}
+
+void TestCliRefuses::whatMustBeGiven() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, option);
+    check(runCli(arguments), 2, {arguments.front(), QStringLiteral("--%1 is missing").arg(option)});
+}
+
+// Nobody's data are read where there are none: said, and nothing is made.
+void TestCliRefuses::readingNeedsADatabase_data() {
+    QTest::addColumn<QStringList>("arguments");
+    for (const char* command :
+         {"session list", "session show 1", "session export 1", "score 1", "replay 1", "report 1 --pdf OUT",
+          "site name", "study list", "study show 1", "study analyse 1", "study rerun 1",
+          "study export 1 --out OUT", "study questionnaire summary 1"})
+        QTest::addRow("%s", command) << words(command).replaceInStrings(QStringLiteral("OUT"),
+                                                                        m_folder.filePath("out"));
+}
+
+void TestCliRefuses::readingNeedsADatabase() {
+    QFETCH(QStringList, arguments);
+    const QString database = m_folder.filePath("none.db");
+    check(runCli(arguments + QStringList{"--database", database}), 3, {"none.db", "no such file"});
+    QVERIFY(!QFile::exists(database) && !QFile::exists(m_folder.filePath("out")));
 }
 
 // Every option that is a number: what is just outside of its range is refused with the range.

@@ -117,24 +117,12 @@ core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& pla
     return MeasuredDelay{*estimate, tool.device->descriptor().serialNumber};
 }
 
-/// At and above this speed, the compensation must reduce the friction felt by at least the fraction kTaken
-/// ...
-constexpr double kMoving_m_per_s = 0.045;
-/// ... of the friction felt at breakaway.
-constexpr double kTaken = 0.6;
-
-/// The friction felt at rest and in motion, before and after its compensation. `holds` becomes false if the
-/// compensation reduces the friction too little, pushes the hand by itself or generates energy.
-QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QString& text) {
+/// The friction felt at rest and in motion, before and after its compensation.
+QJsonObject frictionFeltJson(const session::FrictionFelt& felt, QString& text) {
     TextTable table({QStringLiteral("direction"), QStringLiteral(">speed (mm/s)"),
                      QStringLiteral(">felt before (N)"), QStringLiteral(">after (N)")});
     QJsonArray rows;
-    double breaking_N = 0.0;
     for (const session::FrictionFeltRow& row : felt.rows) {
-        if (row.speed_m_per_s <= 0.001) // the lowest speed of each direction
-            breaking_N = row.before_N;
-        holds = holds && row.after_N > 0.0 &&
-                (row.speed_m_per_s < kMoving_m_per_s || row.after_N < row.before_N - kTaken * breaking_N);
         rows.append(QJsonObject{{"direction", QString::fromStdString(row.direction)},
                                 {"speed_m_per_s", row.speed_m_per_s},
                                 {"before_N", row.before_N},
@@ -142,7 +130,6 @@ QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QSt
         table.add({QString::fromStdString(row.direction), shortNumber(1e3 * row.speed_m_per_s),
                    QString::number(row.before_N, 'f', 3), QString::number(row.after_N, 'f', 3)});
     }
-    holds = holds && felt.workAfter_J > 0.0 && felt.heldAfter_N <= felt.heldBefore_N + 0.001;
     text = QStringLiteral("\nFriction that a hand feels with nothing touched, before and after %1 % of the "
                           "Coulomb friction is fed forward\n")
                .arg(100.0 * felt.compensation, 0, 'f', 0) +
@@ -177,7 +164,7 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"),
                      QStringLiteral(">viscous"), QStringLiteral(">given")});
     QJsonArray axes;
-    bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s;
+    bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s && felt->holds();
     const std::array<const char*, 4> names{"heading", "pitch", "roll", "depth"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto& axis = (*found)[i];
@@ -191,7 +178,7 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
                    shortNumber(axis->viscous), shortNumber(given.viscous)});
     }
     QString feltText;
-    const QJsonObject feltJson = frictionFeltJson(*felt, holds, feltText);
+    const QJsonObject feltJson = frictionFeltJson(*felt, feltText);
     const QString text =
         QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() +
         QLatin1Char('\n') +

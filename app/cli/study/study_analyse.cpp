@@ -35,7 +35,7 @@ QJsonObject replayedJson(const session::ReplayedChoices& r) {
             {"ties", r.ties},
             {"first_difference", r.firstDifference},
             {"same_procedures", r.sameProcedures},
-            {"identical", r.same + r.ties == r.trials && r.sameProcedures}};
+            {"identical", r.identical()}};
 }
 
 /// Omits physical units and methods while the study is blinded.

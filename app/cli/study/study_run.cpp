@@ -253,8 +253,7 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
             byStandIn.condition = run.condition->id;
             const auto again = session::rerunChoices(*data->design, byStandIn, run.trials);
             CHIRON_TRY(again);
-            const bool same = again->same + again->ties == again->trials && again->sameProcedures;
-            identical = identical && same;
+            identical = identical && again->identical();
             runs.append(QJsonObject{{"participant", text(each.participant.code)},
                                     {"condition", run.label},
                                     {"trials", again->trials},
@@ -262,7 +261,7 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
                                     {"ties", again->ties},
                                     {"first_difference", again->firstDifference},
                                     {"same_procedures", again->sameProcedures},
-                                    {"identical", same}});
+                                    {"identical", again->identical()}});
             table.add({text(each.participant.code), run.label, QString::number(again->trials),
                        QString::number(again->same), QString::number(again->ties),
                        again->firstDifference < 0 ? QString() : QString::number(again->firstDifference)});

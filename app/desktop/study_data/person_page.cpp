@@ -156,13 +156,13 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     if (again.trials > 0)
         box.layout->addWidget(kit::label(
             theme,
-            again.same + again.ties == again.trials && again.sameProcedures
+            again.identical()
                 ? tr("Replayed from its log, the procedure makes the same %n choice(s).", nullptr,
                      again.trials)
                 : tr("Replayed from its log, the procedure makes different choices: only %1 of %2 "
                      "match.")
                       .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
-            TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
+            TextStyle::small, again.identical() ? "muted" : "warning"));
     if (!estimate.warnings.empty())
         box.layout->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : estimate.warnings)

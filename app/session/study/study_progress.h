@@ -107,6 +107,9 @@ struct ReplayedChoices {
     int ties = 0;               ///< different with a margin below 1e-9
     int firstDifference = -1;   ///< ordinal; -1: none
     bool sameProcedures = true; ///< the versions are the stored ones
+
+    /// Every choice of the log is made again, by the procedures that made it.
+    bool identical() const noexcept { return sameProcedures && same + ties == trials; }
 };
 core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design,
                                            const database::StudyRun& run,

@@ -190,8 +190,13 @@ private slots:
         room.ringFree_bytes = room.ringNeeded_bytes - 1;
         QVERIFY(session::ringState(room) == session::RoomState::none);
         QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("cannot start")));
-        room.ringFree_bytes = room.ringNeeded_bytes * 2;
-        QVERIFY(session::ringState(room) == session::RoomState::low);
+        for (const auto& [free_bytes, state] : {std::pair{room.ringNeeded_bytes, session::RoomState::low},
+                                                {2 * room.ringNeeded_bytes, session::RoomState::low},
+                                                {4 * room.ringNeeded_bytes - 1, session::RoomState::low},
+                                                {4 * room.ringNeeded_bytes, session::RoomState::enough}}) {
+            room.ringFree_bytes = free_bytes;
+            QVERIFY(session::ringState(room) == state);
+        }
     }
 
     void backupsGrowOld() {

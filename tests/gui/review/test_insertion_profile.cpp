@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "gui/review/made_insertion.h"
+#include "report/plot_view.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -19,6 +21,7 @@ private slots:
     void theProfileIsTheLargestOfEachMillimetre();
     void pausesDoNotCount();
     void withoutASeriesThereIsNone();
+    void thePlotReachesTheGoal();
 };
 
 void TestInsertionProfile::momentsAreTheSeriesAtTheirTime() {
@@ -80,5 +83,23 @@ void TestInsertionProfile::withoutASeriesThereIsNone() {
     QVERIFY(!session_report::insertionProfileOf(session::PlaybackTrack()));
 }
 
-QTEST_APPLESS_MAIN(TestInsertionProfile)
+/// Or as deep as it went, if that is deeper; where nothing is known, there is an axis all the same.
+void TestInsertionProfile::thePlotReachesTheGoal() {
+    const auto range = [](std::vector<double> depth_mm, double goal_mm) {
+        report::InsertionProfile profile;
+        profile.goal_mm = goal_mm;
+        profile.depth_mm = std::move(depth_mm);
+        profile.offsetIn_mm = profile.offsetOut_mm = std::vector<double>(profile.depth_mm.size(), 0.5);
+        const auto plot = report::offsetDepthPlot(profile, report::lightTheme(QLocale::c()));
+        plot->resize(400, 200);
+        plot->grab();
+        return std::pair(plot->xLow(), plot->xHigh());
+    };
+    QCOMPARE(range({}, 0.0), std::pair(0.0, 1.0));
+    QCOMPARE(range({}, 60.0), std::pair(0.0, 60.0));
+    QCOMPARE(range({0.5, 1.5, 2.5}, 60.0), std::pair(0.0, 60.0));
+    QCOMPARE(range({-3.5, 20.5, 80.5}, 60.0), std::pair(-3.5, 80.5));
+}
+
+QTEST_MAIN(TestInsertionProfile)
 #include "test_insertion_profile.moc"

@@ -128,6 +128,14 @@ private slots:
         QVERIFY(searchedMap.width() == 2800 && searchedMap.size() == emptyMap.size() &&
                 searchedMap != emptyMap);
         QVERIFY(tests::regionOf(searchedMap, theme.paper).contains(QPoint(0, 0)));
+        bool wide = false, high = false; // drawn at twice its size, not in a corner
+        for (int y = 0; y < searchedMap.height(); ++y)
+            for (int x = 0; x < searchedMap.width(); ++x)
+                if (searchedMap.pixelColor(x, y) != theme.paper) {
+                    wide = wide || x > searchedMap.width() / 2;
+                    high = high || y > searchedMap.height() / 2;
+                }
+        QVERIFY(wide && high);
     }
 
     void enoughRegionsForSensitivity() {

@@ -13,6 +13,7 @@
 #include "desktop/plots/metric_words.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
+#include "report/report_text.h"
 #include "support/every_place.h"
 #include "support/palpation_session.h"
 
@@ -20,6 +21,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
+#include <cmath>
 #include <limits>
 #include <sqlite3.h>
 
@@ -83,6 +85,33 @@ private slots:
         QVERIFY(std::abs(late - replay.record(0)->coverage) < 0.02);
         const auto direct = session::mapAt(replay.level(), data.track, 0, trial.start_s + 1.1);
         QCOMPARE(direct.coverage(), early);
+    }
+
+    /// Of several fingers, the one that presses hardest is told, whichever it is.
+    void theReadoutIsOfTheFingerThatPressesHardest() {
+        const QLocale english(QLocale::English, QLocale::UnitedKingdom);
+        const desktop::PalpationLayer layer(PalpationReplay(simulation::PalpationParameters{}, {}));
+        constexpr int kFingers = 4;
+        for (int hardest = 0; hardest < kFingers; ++hardest) {
+            session::PlaybackTrack track;
+            track.toolCount = kFingers;
+            track.moments.resize(1);
+            for (int finger = 0; finger < kFingers; ++finger) {
+                session::PlaybackTool tool;
+                tool.tissue_N = core::Vec3(0.0, 0.0, finger == hardest ? 2.5 : 0.5 + 0.1 * finger);
+                track.tools.push_back(tool);
+                const std::string number = std::to_string(finger);
+                track.quantities.push_back({"depth_" + number + "_m", "m", {0.001 * (finger + 1)}});
+                track.quantities.push_back({"lean_" + number + "_rad", "rad", {0.1 * (finger + 1)}});
+            }
+            const QString said = layer.readout(track, track.at(0.0), 0.0, english);
+            const QString depth = report::formatValue(hardest + 1.0, QStringLiteral("mm"), english);
+            for (const QString& part :
+                 {QStringLiteral("force ") + report::formatValue(2.5, QStringLiteral("N"), english),
+                  QStringLiteral("tilt %1°").arg(qRound(0.1 * (hardest + 1) * 180.0 / M_PI)),
+                  QStringLiteral("depth ") + depth, QStringLiteral("Trial 1")})
+                QVERIFY2(said.contains(part), qPrintable(said + QStringLiteral(" lacks ") + part));
+        }
     }
 
     void whatBecameOfFindingsIsDrawn() {

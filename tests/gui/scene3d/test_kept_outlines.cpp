@@ -23,6 +23,8 @@
 #include <QWidget>
 #include <QWindow>
 
+#include <algorithm>
+
 using namespace chiron;
 using namespace chiron::scene3d;
 
@@ -341,6 +343,34 @@ private slots:
         state.p_WYielded.clear();
         view->show(state);
         QVERIFY(stars().isEmpty());
+    }
+    /// Of one map, what was searched and how hard, by turns: the kind that is asked for is painted, not the
+    /// one that was painted before.
+    void aMapIsOfTheKindThatIsAskedFor() {
+        const Scene& scene = m_all.at(QStringLiteral("breast_two_hands"));
+        const auto step = std::find_if(scene.steps.begin(), scene.steps.end(), [](const Step& each) {
+            return each.name == QLatin1String("playback_coverage");
+        });
+        QVERIFY(step != scene.steps.end() && step->map);
+        const std::unique_ptr<ISceneView> view(m_plugin.make(&scene.setup, nullptr));
+        auto* window = qobject_cast<QWindow*>(view->inputSource());
+        const auto* root =
+            qobject_cast<const Qt3DCore::QEntity*>(window->property(kSceneRootProperty).value<QObject*>());
+        resize(*window, kWide);
+        const auto drawn = [&](simulation::SurfaceMapKind kind) {
+            SceneState state = step->state;
+            auto& overlay = state.overlay.own<PalpationOverlay>();
+            overlay.map = step->map.get();
+            overlay.mapStep = step->map->step();
+            overlay.mapKind = kind;
+            view->show(state);
+            return tests::SceneOutline().of(*root);
+        };
+        const QStringList coverage = drawn(simulation::SurfaceMapKind::coverage),
+                          force = drawn(simulation::SurfaceMapKind::force);
+        QVERIFY(force != coverage);
+        QCOMPARE(drawn(simulation::SurfaceMapKind::coverage), coverage);
+        QCOMPARE(drawn(simulation::SurfaceMapKind::force), force);
     }
     /// What nobody asks for again is no longer kept.
     void keepsNothingOfNoScene() {

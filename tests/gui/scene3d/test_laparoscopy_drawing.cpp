@@ -235,6 +235,12 @@ private slots:
         QVERIFY(std::abs((map * jaws).norm() - (0.011 - 0.002)) < 1e-12);
         body.squeeze_m = 0.0;
         QVERIFY((squeezed(body, jaws) - 0.011 * core::Mat3::Identity()).norm() < 1e-12);
+        const core::Quat turned(
+            Eigen::AngleAxisd(0.7, core::Vec3(0.2, -0.6, 0.8).normalized())); // about no axis of its own
+        body.q_W = {turned.w(), turned.x(), turned.y(), turned.z()};
+        QVERIFY((squeezed(body, jaws) - 0.011 * turned.toRotationMatrix()).norm() < 1e-8);
+        body.q_W = {}; // stored without an orientation
+        QVERIFY((squeezed(body, jaws) - 0.011 * core::Mat3::Identity()).norm() < 1e-12);
     }
 
     void markFollowsTheHeldEnd() {

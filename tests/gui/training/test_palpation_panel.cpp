@@ -141,6 +141,26 @@ private slots:
         QVERIFY(!bench.key(Qt::Key_Space));
     }
 
+    /// Where one rating alone is asked, every digit is that one's.
+    void theOnlyRatingHasTheDigits() {
+        for (const bool hardness : {true, false}) {
+            simulation::PalpationParameters one = level(false);
+            (hardness ? one.asksHardness : one.asksConfidence) = true;
+            Bench bench(one);
+            bench.mark();
+            for (const int rating : {4, 2}) { // said, and said again
+                bench.key(Qt::Key_0 + rating);
+                QCOMPARE(int(bench.book.list()[0].hardness), hardness ? rating : 0);
+                QCOMPARE(int(bench.book.list()[0].confidence), hardness ? 0 : rating);
+            }
+            auto* row = bench.find<RatingRow>(hardness ? "training.hardness" : "training.confidence");
+            row->findChild<QPushButton*>(QStringLiteral("5"))->click();
+            bench.key(Qt::Key_V); // there is no other row
+            bench.key(Qt::Key_3);
+            QCOMPARE(int(hardness ? bench.book.list()[0].hardness : bench.book.list()[0].confidence), 3);
+        }
+    }
+
     void sizeStaysInItsRange() {
         Bench bench;
         bench.mark();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/report/apex_report.h"
 #include "report/plot_canvas.h"
+#include "report/plot_view.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"
 #include "support/kept_pictures.h"
@@ -27,6 +28,7 @@ private slots:
     void sessionReport_data();
     void sessionReport();
     void pictures();
+    void aLeftMarginIsAsWideAsAsked();
     void theLimitIsVisibleWhereForceIsOverIt();
     void severalToolsHaveALineEach();
     void criticalErrorsAreCrosses();
@@ -258,6 +260,8 @@ void TestReportOutput::pictures() {
         const QImage image(file);
         QVERIFY2(image.width() >= 1800, qPrintable(file)); // twice the logical size
         QCOMPARE(image.pixelColor(0, 0), theme.paper);
+        QCOMPARE(image.dotsPerMeterX(), qRound(2 * 96 / 0.0254)); // as large on paper as in the report
+        QCOMPARE(image.dotsPerMeterY(), image.dotsPerMeterX());
         const QString differs = m_kept.differs(QFileInfo(file).completeBaseName(), image);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
@@ -272,6 +276,27 @@ void TestReportOutput::pictures() {
     QVERIFY2(refused.error().message.starts_with(impossible.toStdString() +
                                                  ": was not written: the folder could not be made"),
              refused.error().message.c_str());
+}
+
+// Whatever stands in it, so that plots below each other begin in one column; larger in a larger look.
+void TestReportOutput::aLeftMarginIsAsWideAsAsked() {
+    PlotTheme theme = lightTheme(QLocale::c());
+    for (const double scale : {1.0, 1.5}) {
+        theme.scale = scale;
+        std::vector<double> begins;
+        for (const auto& [margin, highest] : {std::pair{60.0, 1.0}, {60.0, 1e6}, {90.0, 1.0}}) {
+            PlotView view(theme);
+            view.addLine(QString(), std::vector<double>{0.0, 1.0}, std::vector<double>{0.0, highest},
+                         PlotStyle::solidA);
+            view.resize(600, 300);
+            view.setLeftMargin(margin);
+            view.setXWindow(0.0, 1.0);
+            begins.push_back(view.pixelOf(0.0));
+        }
+        QCOMPARE(begins[1], begins[0]);
+        QCOMPARE(begins[2] - begins[0], 30.0 * scale);
+        QVERIFY(begins[0] >= 60.0 * scale);
+    }
 }
 
 // The picture over the limit differs from the same picture with the limit above every force.

@@ -63,6 +63,7 @@ private slots:
     void aBrokenOffSiteLeavesNothing();
     void whatWasThereStays();
     void quickRunsOfItsStudy();
+    void anythingThatDiffersIsFound();
 };
 
 void TestDemoBegun::thePeopleOfTheSite() {
@@ -189,6 +190,35 @@ void TestDemoBegun::quickRunsOfItsStudy() {
             QCOMPARE(trial.session, database::SessionId{0});
     }
     QCOMPARE(observers.size(), std::size_t{6}); // two are alike: one with rendering, one without
+}
+
+/// Whatever it is, and whichever of several.
+void TestDemoBegun::anythingThatDiffersIsFound() {
+    session::DemoSite good;
+    good.sessions.resize(3);
+    for (session::DemoResult& each : good.sessions)
+        each.replayIdentical = each.scoreSame = true;
+    good.study.runs.resize(2);
+    for (session::DemoStudyRun& each : good.study.runs)
+        each.choicesSame = true;
+    good.study.replayIdentical = true;
+    QVERIFY(good.holds());
+    good.study.replayIdentical = false;
+    QVERIFY(!good.holds());
+    good.study.replayIdentical = true;
+    for (session::DemoResult& each : good.sessions)
+        for (bool session::DemoResult::*what :
+             {&session::DemoResult::replayIdentical, &session::DemoResult::scoreSame}) {
+            each.*what = false;
+            QVERIFY(!good.holds());
+            each.*what = true;
+        }
+    for (session::DemoStudyRun& each : good.study.runs) {
+        each.choicesSame = false;
+        QVERIFY(!good.holds());
+        each.choicesSame = true;
+    }
+    QVERIFY(good.holds());
 }
 
 QTEST_GUILESS_MAIN(TestDemoBegun)

@@ -6,6 +6,7 @@
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "session/device_json.h"
 #include "session/exercise_kind.h"
+#include "session/friction_felt.h"
 #include "session/session_setup.h"
 #include "session/station.h"
 #include "support/urethra_bench.h"
@@ -64,6 +65,7 @@ private slots:
     void aScaledWorkspaceScalesBoth();
     void theSceneHasItsDevicesFriction();
     void storedDeviceGivesTheSameForce();
+    void aCompensationHoldsIfItHelpsAndDoesNoHarm();
 };
 
 void TestDeviceFriction::countAtTheTip() {
@@ -129,6 +131,34 @@ void TestDeviceFriction::storedDeviceGivesTheSameForce() {
     QVERIFY(stored.has_value());
     setup.devices[0] = *stored;
     QVERIFY(forceAtTheNeck(setup) == lived);
+}
+
+/// What a hand feels of a gimbal's friction: sideways and along, from the lowest speed on.
+void TestDeviceFriction::aCompensationHoldsIfItHelpsAndDoesNoHarm() {
+    session::FrictionFelt good;
+    good.rows = {{"sideways", 0.001, 0.10, 0.10}, // all of it where it breaks away
+                 {"sideways", 0.020, 0.12, 0.11},
+                 {"sideways", 0.100, 0.20, 0.12}, // of 0.10 N, 0.08 N are taken
+                 {"along", 0.001, 0.30, 0.30},
+                 {"along", 0.150, 0.60, 0.40}};
+    good.heldBefore_N = good.heldAfter_N = 0.0004;
+    good.workBefore_J = 0.05;
+    good.workAfter_J = 0.02;
+    QVERIFY(good.holds());
+    const auto but = [&good](auto change) {
+        session::FrictionFelt felt = good;
+        change(felt);
+        return felt.holds();
+    };
+    for (std::size_t row = 0; row < good.rows.size(); ++row) // it pushes the hand along
+        QVERIFY(!but([row](auto& felt) { felt.rows[row].after_N = -0.01; }));
+    QVERIFY(!but([](auto& felt) { felt.rows[2].after_N = 0.15; })); // takes too little of it in motion
+    QVERIFY(!but([](auto& felt) { felt.rows[4].after_N = 0.45; }));
+    QVERIFY(!but([](auto& felt) { felt.rows[3].before_N = 0.40; })); // of which more is asked then
+    QVERIFY(but([](auto& felt) { felt.rows[1].after_N = 0.12; }));   // a slow hand need not be helped
+    QVERIFY(!but([](auto& felt) { felt.workAfter_J = -0.001; }));
+    QVERIFY(!but([](auto& felt) { felt.heldAfter_N = 0.002; }));
+    QVERIFY(but([](auto& felt) { felt.heldAfter_N = 0.0013; }));
 }
 
 QTEST_GUILESS_MAIN(TestDeviceFriction)

@@ -293,6 +293,30 @@ private slots:
         QCOMPARE(worst->t_s, 3.5);
     }
 
+    /// How far into its trial it was, however soon after its beginning.
+    void theWorstMomentKnowsItsTrialsTime() {
+        PlaybackTrack track = quietEnd();
+        track.exercise = "elastic_tube";
+        for (const double start_s : {0.0, 1.75, 2.0}) {
+            track.trials[0].start_s = start_s;
+            const auto worst = worstMoment(track, {}, {});
+            QVERIFY(worst && worst->t_s == 2.0 && !worst->depth_m);
+            QCOMPARE(worst->intoTrial_s, 2.0 - start_s);
+        }
+    }
+
+    /// Of a packet that was refused nobody knows where the tool was; nor where nobody reads packets.
+    void aRefusedPacketHasNoPlace() {
+        const tests::MillimetreCounts positions{};
+        core::ToolFrame frame = tests::someFrames(6)[5].tool[0];
+        const auto place = yieldPlaceOf(&positions, 0, frame);
+        QVERIFY(place && (*place - core::Vec3(0.005, 0.0, 0.0)).norm() < 1e-12);
+        QVERIFY(!yieldPlaceOf(nullptr, 0, frame));
+        frame.status |= core::sample_status::kRefused;
+        QVERIFY(!yieldPlaceOf(&positions, 0, frame));
+        QVERIFY(!yieldPlaceOf(nullptr, 0, frame));
+    }
+
     /// A change of stage is called after the step that began with it, in the exercises that record steps.
     void theStepsOfATaskNameItsStages() {
         for (const char* id : {"elastic_tube", "object_handling"}) {

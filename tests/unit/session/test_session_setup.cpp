@@ -3,11 +3,14 @@
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "session/session_setup.h"
+#include "session/session_view.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 
@@ -37,6 +40,8 @@ private slots:
     void toolCounts();
     void whatCannotBeFeltIsShown_data();
     void whatCannotBeFeltIsShown();
+    void safetyFollowsTheExercise();
+    void anyDifferenceOfScoresIsFound();
 };
 
 void TestSessionSetup::comesBackFromItsColumns() {
@@ -174,6 +179,64 @@ void TestSessionSetup::whatCannotBeFeltIsShown() {
         if (exercise == "palpation")
             QVERIFY(out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
     }
+}
+
+// Without a window: its limits are the exercise's, and nobody's heartbeat is waited for.
+void TestSessionSetup::safetyFollowsTheExercise() {
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    int knees = 0;
+    for (const catalogue::Exercise& exercise : catalogue->exercises()) {
+        const auto kind = session::exerciseKind(exercise.id);
+        for (const catalogue::ExerciseLevel& level : exercise.levels) {
+            const haptics::SafetySettings safety = session::headlessSafety(level);
+            QCOMPARE(safety.exerciseForce_N, (*kind)->forceLimit_N(level));
+            QCOMPARE(safety.exerciseTorque_Nm, (*kind)->torqueLimit_Nm(level));
+            QCOMPARE(safety.capKnee, (*kind)->capKnee());
+            QVERIFY(!safety.heartbeatWatched);
+            knees += safety.capKnee != haptics::SafetySettings().capKnee ? 1 : 0;
+        }
+    }
+    QVERIFY(knees > 0); // else there would be nothing to follow
+    catalogue::ExerciseLevel strong = *catalogue->find("urethra_insertion", 1);
+    strong.parameters.as<simulation::UrethraInsertionParameters>().maximumTorque_Nm = 0.123;
+    QCOMPARE(session::headlessSafety(strong).exerciseTorque_Nm, 0.123);
+}
+
+// To the last bit, of every metric and every trial; only the sign of nothing is none.
+void TestSessionSetup::anyDifferenceOfScoresIsFound() {
+    scoring::ScoreCard card;
+    card.passed = true;
+    card.metrics = {
+        {"time", 1, "s", 12.5, "", true}, {"drops", 2, "count", 0.0, "", {}}, {"sparc", 1, "1", {}, "", {}}};
+    card.trials = {card.metrics, card.metrics};
+    QVERIFY(session::sameScores(card, card));
+    const auto differs = [&card](auto change) {
+        scoring::ScoreCard other = card;
+        change(other);
+        return !session::sameScores(card, other) && !session::sameScores(other, card);
+    };
+    QVERIFY(differs([](auto& other) { other.passed = false; }));
+    QVERIFY(differs([](auto& other) { other.trials.pop_back(); }));
+    QVERIFY(differs([](auto& other) { other.metrics.pop_back(); }));
+    QVERIFY(differs([](auto& other) { other.trials[1].pop_back(); }));
+    for (const int where : {-1, 0, 1})
+        for (std::size_t i = 0; i < card.metrics.size(); ++i) {
+            const auto ofOne = [&](auto change) {
+                return differs([&](auto& other) {
+                    change(where < 0 ? other.metrics[i] : other.trials[static_cast<std::size_t>(where)][i]);
+                });
+            };
+            QVERIFY(ofOne([](auto& metric) { metric.id += "_"; }));
+            QVERIFY(ofOne([](auto& metric) { ++metric.version; }));
+            QVERIFY(ofOne([](auto& metric) { metric.unit += "_"; }));
+            QVERIFY(ofOne([](auto& metric) { metric.passed = !metric.passed.value_or(true); }));
+            QVERIFY(ofOne([](auto& metric) {
+                metric.value = metric.value ? std::nextafter(*metric.value, 100.0) : 0.0;
+            }));
+        }
+    scoring::ScoreCard other = card;
+    other.metrics[1].value = -0.0;
+    QVERIFY(session::sameScores(card, other));
 }
 
 QTEST_APPLESS_MAIN(TestSessionSetup)

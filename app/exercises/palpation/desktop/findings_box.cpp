@@ -101,8 +101,7 @@ void FindingsBox::addRatings(const Theme& theme, double padRadius_m) {
         auto* row = new RatingRow(theme, name, word);
         row->setObjectName(QLatin1String(id));
         connect(row, &RatingRow::rated, this, [this, field](int rating) {
-            if (m_hardness && m_confidence)
-                keysTo(field == simulation::ReportField::hardness);
+            keysTo(field == simulation::ReportField::hardness);
             emit reported(field, static_cast<unsigned>(rating));
         });
         layout()->addWidget(row);
@@ -137,7 +136,7 @@ void FindingsBox::show(const simulation::PalpationCues& cues) {
     m_asked = false;
     m_missing->hide();
     const int count = findingCount(cues);
-    if (count > before && m_hardness && m_confidence)
+    if (count > before)
         keysTo(true); // a new finding is rated in the order of the rows
     m_none->setVisible(count == 0);
     m_done->setText(count == 0 ? tr("Nothing found: end the trial (D)") : tr("Nothing more to report (D)"));

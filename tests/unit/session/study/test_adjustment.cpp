@@ -74,6 +74,24 @@ private slots:
         QVERIFY(std::abs(good.places[1].rendered - 165.0) < 1e-4); // the regression's ridge takes 4e-6
         QCOMPARE(measured(300.0).outside, std::string("stiffness_error")); // a renderer that did not follow
     }
+    /// From the first row of the table on, and of whichever object.
+    void everyLevelOfTheDialIsOne() {
+        simulation::ComparisonParameters parameters;
+        parameters.attribute = simulation::ComparedAttribute::stiffness;
+        parameters.places = 2;
+        parameters.adjusts = true;
+        parameters.values = {{150.0, 300.0, 600.0}, {150.0, 165.0, 181.5}};
+        parameters.arrangements = {{0, 2, -1}};
+        session::FidelityMeter meter(parameters, {}, true);
+        meter.begin({150.0, 181.5});
+        std::uint64_t tick = 0;
+        pull(meter, 181.5, 1, tick);
+        pull(meter, 600.0, 0, tick);
+        const auto fidelity = meter.finish();
+        QCOMPARE(fidelity.places[1].asked, 600.0);
+        QVERIFY2(std::abs(fidelity.places[1].rendered - 600.0) < 1e-3,
+                 qPrintable(QString::number(fidelity.places[1].rendered)));
+    }
     /// Through the rendering: a participant turns a dial by what the hand felt, from both ends of the table.
     void participantTurnsTheDial() {
         session::RenderedRunRequest request;

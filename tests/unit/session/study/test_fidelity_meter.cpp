@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/fidelity_meter.h"
 
+#include "core/haptic_frame.h"
 #include "core/units.h"
+#include "simulation/comparison/comparison_scene.h"
 
 #include <QtTest>
 
@@ -140,6 +142,80 @@ private slots:
         QVERIFY(back.language == "de" && back.masking == session::TrialCircumstances::kMaskingNoise);
         QVERIFY(back.answerTick == std::optional<std::uint64_t>(0));
         QVERIFY(!session::circumstancesOf(session::fidelityJson({})).answerTick);
+    }
+    /// A tick of a session as the meter takes it, everything at its place.
+    void aFrameBecomesASample() {
+        namespace q = simulation::comparison_quantity;
+        core::HapticFrame frame{};
+        frame.header.index = 1234;
+        frame.header.now_ns = 5'000'000'123;
+        frame.header.events = core::event_bits::kContactBegan;
+        frame.header.guards = core::guard_bits::kSlew;
+        frame.header.trial = 3;
+        frame.header.phase = core::TrialPhase::running;
+        frame.header.force = core::ForceState::on;
+        frame.header.paused = 1;
+        for (std::size_t i = 0; i < frame.header.quantities.size(); ++i)
+            frame.header.quantities[i] = 1.0 + static_cast<double>(i);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const double k = static_cast<double>(i);
+            frame.tool[0].commanded[i] = 10.0 + k;
+            frame.tool[0].measured[i] = 20.0 + k;
+            frame.tool[0].tissue[i] = 30.0 + k;
+        }
+        const auto whole = [](std::size_t quantity) { return static_cast<int>(quantity) + 1; };
+        const session::FidelitySample sample = session::fidelitySampleOf(frame);
+        QVERIFY(sample.tick == 1234 && sample.now_ns == 5'000'000'123 && sample.trial == 3);
+        QVERIFY(sample.events == core::event_bits::kContactBegan && sample.guards == core::guard_bits::kSlew);
+        QVERIFY(sample.phase == core::TrialPhase::running && sample.paused == 1);
+        QVERIFY(sample.full && !sample.measures && !sample.saturated);
+        QCOMPARE(int(sample.place), whole(q::kPlace));
+        QCOMPARE(int(sample.touched), whole(q::kTouched));
+        QCOMPARE(int(sample.candidate), whole(q::kCandidate));
+        QCOMPARE(int(sample.arrangement), whole(q::kArrangement));
+        QCOMPARE(int(sample.answer), whole(q::kAnswer));
+        QCOMPARE(sample.displacement_m, double(whole(q::kDisplacement)));
+        QCOMPARE(sample.depth_m, double(whole(q::kDepth)));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double k = static_cast<double>(i);
+            QCOMPARE(sample.velocity_m_per_s[i], whole(q::kVelocity) + k);
+            QCOMPARE(sample.commanded_N[i], 10.0 + k);
+            QCOMPARE(sample.measured_N[i], 20.0 + k);
+            QCOMPARE(sample.tissue_N[i], 30.0 + k);
+        }
+        const auto saturated = [](core::HapticFrame of) { return session::fidelitySampleOf(of).saturated; };
+        core::HapticFrame capped = frame, weak = frame, arming = frame, measuring = frame;
+        capped.header.guards |= core::guard_bits::kCap;         // by the supervisor
+        weak.tool[0].status |= core::sample_status::kSaturated; // by the device
+        QVERIFY(saturated(capped) && saturated(weak));
+        arming.header.force = core::ForceState::arming;
+        QVERIFY(!session::fidelitySampleOf(arming).full);
+        measuring.tool[0].status |= core::sample_status::kMeasuredForce;
+        QVERIFY(session::fidelitySampleOf(measuring).measures);
+    }
+    /// Each place counts for itself, the last one, too.
+    void everyPlaceIsCounted() {
+        simulation::ComparisonParameters parameters;
+        parameters.attribute = ComparedAttribute::stiffness;
+        parameters.places = 3;
+        session::FidelityMeter meter(parameters, {}, false);
+        meter.begin({kStiffness_N_per_m, kStiffness_N_per_m, kStiffness_N_per_m});
+        std::int64_t now_ns = 0;
+        for (int place = 1; place <= 3; ++place) {
+            for (int i = 0; i < 10 * place; ++i)
+                meter.add(sampleOf(place, place, now_ns += 1'000'000));
+            meter.add(sampleOf(0, 0.0, now_ns += 1'000'000));
+        }
+        const session::TrialFidelity fidelity = meter.finish();
+        QCOMPARE(fidelity.contacts, 3);
+        QCOMPARE(fidelity.places.size(), std::size_t{3});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double k = static_cast<double>(i + 1);
+            QCOMPARE(fidelity.places[i].contacts, 1);
+            QCOMPARE(fidelity.places[i].contact_s, 0.010 * k);
+            QCOMPARE(fidelity.places[i].peakForce_N, k);
+            QCOMPARE(fidelity.places[i].terminalForce_N, k);
+        }
     }
     void aSpringWithinTheLimitIsFound() {
         const auto fidelity = pressed(0.004, 0.004);

@@ -356,11 +356,20 @@ void TestLiveApex::forceIsStoppedAndRearmed() {
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
     live->stopForce();
     QCOMPARE(live->view().state, View::stopped);
+    // Not at the window's next look, which may be long in coming.
+    QTRY_VERIFY_WITH_TIMEOUT((live->training().beat(), live->training().display().latest().paused),
+                             kPatience_ms);
     live->resume(); // that takes more
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->training().display().latest().paused), kPatience_ms);
     QCOMPARE(live->view().state, View::stopped);
     QVERIFY(!live->answer(0));
     live->rearm();
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::exploring, kPatience_ms);
+    live->pause(); // by the person: going on takes no arming
+    QCOMPARE(live->view().state, View::paused);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->training().display().latest().paused), kPatience_ms);
+    QVERIFY(!live->answer(0));
+    live->resume();
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::exploring, kPatience_ms);
     QVERIFY(mark(*live, tests::apexPlaces(*live, site.run().seed, 0)));
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);

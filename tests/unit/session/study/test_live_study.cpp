@@ -148,6 +148,8 @@ private slots:
     void practiceIsTakenBackAndRunAgain();
     void aHandThatMovesTooFastIsTold();
     void whatASittingNotesIsExported();
+    void forceIsStoppedAtOnceAndRearmed();
+    void aScoredTrialIsToldWhereTheDesignSaysSo();
 };
 
 /// Instructions are read before the session is up, for as long as it takes: however often a pause is asked
@@ -740,6 +742,43 @@ void TestLiveStudy::whatASittingNotesIsExported() {
              qPrintable(QString::number(took)));
     QCOMPARE(cells("runs.csv", "language"), QStringList({"de"}));
     QVERIFY(cells("runs.csv", "masking_sound").front().contains(QStringLiteral("pink_noise")));
+}
+
+/// A stop does not wait for the window's next look, which may be long in coming.
+void TestLiveStudy::forceIsStoppedAtOnceAndRearmed() {
+    Site site;
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    live->stopForce();
+    QCOMPARE(live->view().state, View::stopped);
+    QVERIFY(!live->view().canAnswer && !live->answer(0));
+    QTRY_VERIFY_WITH_TIMEOUT((live->training().beat(), live->training().display().latest().paused),
+                             kPatience_ms);
+    live->resume(); // that takes more
+    live->poll();
+    QCOMPARE(live->view().state, View::stopped);
+    live->rearm();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+}
+
+void TestLiveStudy::aScoredTrialIsToldWhereTheDesignSaysSo() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.feedback = true;
+        design.trial.practiceTrials = 0;
+        design.trial.betweenTrials_s = 0.0;
+        design.fidelity.lateTicks = 1.0; // on a busy machine, too
+    });
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->answer(2).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored == 1), kPatience_ms);
+    const session::LiveStudyView told = live->view();
+    QVERIFY(told.state == View::feedback && !told.practice && !told.mayTakeBack); // it counts
+    QCOMPARE(told.right,
+             std::optional(psychophysics::correctAnswer(psychophysics::Task::rank3,
+                                                        storedTrials(site).front().arrangement) == 2));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms); // for a while
+    QVERIFY(!live->view().right);
 }
 
 QTEST_MAIN(TestLiveStudy)

@@ -194,6 +194,16 @@ private slots:
         made = session::bidsLabels({"S01", "s01", "S01x2"});                 // file systems may not tell case
         QCOMPARE(made, (Labels{{"S01", "S01"}, {"S01x2", "S01x2"}, {"s01", "s01x3"}}));
     }
+    /// Letters and digits alone; what follows something else begins with a capital.
+    void labelsAreLettersAndDigits() {
+        for (const auto& [words, label] :
+             std::initializer_list<std::pair<const char*, const char*>>{{"a z A Z 0 9", "aZAZ09"},
+                                                                        {"two-handed tube", "twoHandedTube"},
+                                                                        {"_left", "left"},
+                                                                        {"@[`{/:", "x"},
+                                                                        {"", "x"}})
+            QCOMPARE(session::bidsLabel(QString::fromLatin1(words)), QString::fromLatin1(label));
+    }
     void bidsKeepsEverybodyApart() {
         Site site;
         const QString folder = QString::fromStdString(site.fixture.folder()) + "/bids";

@@ -98,7 +98,11 @@ private slots:
         QCOMPARE(replayed->trials, static_cast<int>(trials.size()));
         QCOMPARE(replayed->same, replayed->trials);
         QCOMPARE(replayed->firstDifference, -1);
-        QVERIFY(replayed->sameProcedures);
+        QVERIFY(replayed->sameProcedures && replayed->identical());
+        stored.procedures += "0"; // by another version, which chooses the same
+        const auto other = session::rerunChoices(design, stored, trials);
+        QVERIFY(other && other->same == other->trials && !other->sameProcedures && !other->identical());
+        stored.procedures = progress->procedureIds();
         // A log that says otherwise is found; a margin of nothing excuses another candidate, not another
         // order of places.
         auto changed = trials;
@@ -107,6 +111,30 @@ private slots:
         const auto found = session::rerunChoices(design, stored, changed);
         QVERIFY(found);
         QCOMPARE(found->firstDifference, changed.back().ordinal);
+        QVERIFY(!found->identical() && found->same == found->trials - 1);
+    }
+    /// What differs by nothing is a tie, and no difference.
+    void tiesAreNoDifferences() {
+        session::ReplayedChoices replayed;
+        replayed.trials = 5;
+        replayed.same = 4;
+        QVERIFY(!replayed.identical());
+        replayed.ties = 1;
+        QVERIFY(replayed.identical());
+        replayed.sameProcedures = false;
+        QVERIFY(!replayed.identical());
+    }
+    /// Answers that the task has, and no others.
+    void answersOfAnotherTaskAreRefused() {
+        const auto design = designOf("rank3");
+        auto progress = session::StudyProgress::begin(design, "main", 1);
+        QVERIFY(progress);
+        session::StudyAnswer given;
+        given.answer = psychophysics::answers(psychophysics::Task::rank3);
+        const auto refused = progress->record(given);
+        QVERIFY(!refused && refused.error().code == core::ErrorCode::badInput);
+        given.answer -= 1;
+        QVERIFY(progress->record(given));
     }
     /// A run that stops after any trial and is resumed goes on as it would have.
     void resumedRunGoesOnAlike() {

@@ -247,8 +247,20 @@ private slots:
             database::StudyReader reader(**connection, site.actor);
             return session::analyseStudy(reader, site.study, 1);
         };
+        using psychophysics::WarningKind;
+        const auto counted = [](const session::AnalysedCondition& condition, WarningKind kind) {
+            for (const psychophysics::Warning& each : condition.group.warnings)
+                if (each.kind == kind)
+                    return each.count;
+            return 0;
+        };
         const auto simulated = analyse();
         QVERIFY(simulated);
+        QVERIFY(simulated->conditions.front().runs.front().pooled);
+        QCOMPARE(counted(simulated->conditions.front(), WarningKind::notRenderedOfGroup), 1);
+        for (const WarningKind nobody : {WarningKind::withdrawn, WarningKind::simulatedLeftOut,
+                                         WarningKind::shownLeftOut, WarningKind::shownInGroup})
+            QVERIFY(!psychophysics::hasWarning(simulated->conditions.front().group.warnings, nobody));
         QVERIFY(warns(simulated->conditions.front().group, "simulated"));
         QCOMPARE(simulated->conditions.front().group.members.size(), std::size_t{1});
         std::string gone;
@@ -270,6 +282,17 @@ private slots:
             QVERIFY(!participant.simulated && participant.code != gone);
         }
         QVERIFY(warns(condition.group, "simulated_left_out"));
+        QCOMPARE(counted(condition, WarningKind::simulatedLeftOut), 1);
+        QCOMPARE(counted(condition, WarningKind::withdrawn), 1);
+        for (const WarningKind nobody :
+             {WarningKind::notRenderedOfGroup, WarningKind::shownLeftOut, WarningKind::shownInGroup})
+            QVERIFY(!psychophysics::hasWarning(condition.group.warnings, nobody));
+        for (const session::AnalysedRun& run : condition.runs) {
+            const bool left = run.participant.code == gone;
+            QCOMPARE(run.pooled, !left && !run.participant.simulated);
+            QCOMPARE(run.presence == session::Presence::withdrawn, left);
+            QCOMPARE(run.presence == session::Presence::simulated, run.participant.simulated);
+        }
     }
 };
 
