@@ -536,20 +536,12 @@
         <translation>Diese Aufgabe vergleicht nur mit Objekten über der Referenz: Jeder Unterschied muss über 0 % liegen.</translation>
     </message>
     <message>
-        <source>A difference is there twice. Leave one of them out.</source>
-        <translation>Ein Unterschied kommt zweimal vor. Lassen Sie einen davon weg.</translation>
-    </message>
-    <message>
         <source>This is empty. Write something.</source>
         <translation>Dieses Feld ist leer. Schreiben Sie etwas hinein.</translation>
     </message>
     <message>
         <source>Use lower-case letters, digits and _ only, a letter first.</source>
         <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden, zuerst ein Buchstabe.</translation>
-    </message>
-    <message>
-        <source>This is there twice. Choose another.</source>
-        <translation>Das gibt es schon einmal. Wählen Sie etwas anderes.</translation>
     </message>
     <message>
         <source>A level lies outside the table of differences. Choose one within it, or change the table.</source>
@@ -584,12 +576,20 @@
         <translation>Das Maximum muss über dem Minimum liegen.</translation>
     </message>
     <message>
-        <source>Give from %1 to %2 choices, one per line.</source>
-        <translation>Geben Sie %1 bis %2 Antworten an, eine je Zeile.</translation>
-    </message>
-    <message>
         <source>Choose a value of at most %1.</source>
         <translation>Wählen Sie einen Wert von höchstens %1.</translation>
+    </message>
+    <message>
+        <source>A difference is listed twice. Remove one of them.</source>
+        <translation>Ein Unterschied kommt zweimal vor. Lassen Sie einen davon weg.</translation>
+    </message>
+    <message>
+        <source>This is already used. Choose something else.</source>
+        <translation>Das gibt es schon einmal. Wählen Sie etwas anderes.</translation>
+    </message>
+    <message>
+        <source>Enter %1 to %2 choices, one per line.</source>
+        <translation>Geben Sie %1 bis %2 Antworten ein, eine je Zeile.</translation>
     </message>
 </context>
 <context>
@@ -966,10 +966,6 @@ Einzelheiten: %2</translation>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>It is written.</source>
-        <translation>Es ist formuliert.</translation>
-    </message>
-    <message>
         <source>Write what is to be found out and what you expect. It cannot be added later.</source>
         <translation>Schreiben Sie, was herausgefunden werden soll und was Sie erwarten. Später lässt es sich nicht mehr ergänzen.</translation>
     </message>
@@ -1006,10 +1002,6 @@ Einzelheiten: %2</translation>
         <translation>Planen Sie mindestens eine Person ein.</translation>
     </message>
     <message>
-        <source>One participant says nothing of others. Plan more, unless this is a case study.</source>
-        <translation>Eine einzige Person sagt nichts über andere. Planen Sie mehr ein, es sei denn, dies ist eine Fallstudie.</translation>
-    </message>
-    <message>
         <source>%1 are planned. With a multiple of %2 every order of conditions comes equally often.</source>
         <translation>%1 sind geplant. Bei einem Vielfachen von %2 kommt jede Reihenfolge der Bedingungen gleich oft vor.</translation>
     </message>
@@ -1038,10 +1030,6 @@ Einzelheiten: %2</translation>
         <translation>Simuliert etwa %1 Minuten je Person.</translation>
     </message>
     <message>
-        <source>Simulated observers are finding out …</source>
-        <translation>Simulierte Beobachter ermitteln es …</translation>
-    </message>
-    <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
         <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Sitzungen.</translation>
     </message>
@@ -1056,14 +1044,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>The threshold of one run varies by a factor of %1.</source>
         <translation>Die Schwelle eines Laufs streut um den Faktor %1.</translation>
-    </message>
-    <message>
-        <source>%1 participants find a ratio of %2 between two conditions with 80 % power.</source>
-        <translation>%1 Teilnehmende entdecken zwischen zwei Bedingungen ein Verhältnis von %2 mit einer Teststärke von 80 %.</translation>
-    </message>
-    <message>
-        <source>So few participants find no ratio up to 10 between two conditions.</source>
-        <translation>So wenige Teilnehmende entdecken zwischen zwei Bedingungen kein Verhältnis bis 10.</translation>
     </message>
     <message>
         <source>More trials make it more precise; Preview shows how many.</source>
@@ -1126,6 +1106,26 @@ Einzelheiten: %2</translation>
     <message>
         <source>This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine.</source>
         <translation>Dieser Rechner hat keine Tonausgabe, sodass Teilnehmende das Gerät hören würden. Schließen Sie Kopfhörer oder Lautsprecher an, oder führen Sie die Studie an einem anderen Rechner durch.</translation>
+    </message>
+    <message>
+        <source>The aim is written down.</source>
+        <translation>Das Ziel ist formuliert.</translation>
+    </message>
+    <message>
+        <source>One participant says nothing about others. Plan more, unless this is a case study.</source>
+        <translation>Eine einzige Person sagt nichts über andere. Planen Sie mehr ein, es sei denn, dies ist eine Fallstudie.</translation>
+    </message>
+    <message>
+        <source>Simulated observers are still running through the study …</source>
+        <translation>Simulierte Beobachter durchlaufen die Studie noch …</translation>
+    </message>
+    <message>
+        <source>With %1 participants, a ratio of %2 between two conditions is detected with 80 % power.</source>
+        <translation>Mit %1 Teilnehmenden wird zwischen zwei Bedingungen ein Verhältnis von %2 mit einer Teststärke von 80 % entdeckt.</translation>
+    </message>
+    <message>
+        <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
+        <translation>Mit so wenigen Teilnehmenden wird zwischen zwei Bedingungen kein Verhältnis bis 10 entdeckt.</translation>
     </message>
 </context>
 <context>
@@ -1333,14 +1333,6 @@ Einzelheiten: %2</translation>
         <translation>Die Gewebefalte mit dem dritten Instrument zurückziehen, bis der Zug im Zielbereich liegt</translation>
     </message>
     <message>
-        <source>Holding: the fold and two places of the tube</source>
-        <translation>Gehalten: die Falte und zwei Stellen des Schlauchs</translation>
-    </message>
-    <message>
-        <source>Holding: the fold and one place of the tube</source>
-        <translation>Gehalten: die Falte und eine Stelle des Schlauchs</translation>
-    </message>
-    <message>
         <source>Holding: the fold</source>
         <translation>Gehalten: die Falte</translation>
     </message>
@@ -1364,6 +1356,14 @@ Einzelheiten: %2</translation>
         <source>Set it down in the middle of the ring, at most %1 mm off, and let go</source>
         <translation>In der Mitte des Rings ablegen, höchstens %1 mm daneben, und loslassen</translation>
     </message>
+    <message>
+        <source>Holding: the fold, and the tube at two points</source>
+        <translation>Gehalten: die Falte und der Schlauch an zwei Stellen</translation>
+    </message>
+    <message>
+        <source>Holding: the fold, and the tube at one point</source>
+        <translation>Gehalten: die Falte und der Schlauch an einer Stelle</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -1382,6 +1382,29 @@ Einzelheiten: %2</translation>
     <message>
         <source>Keys on this screen</source>
         <translation>Tasten in dieser Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>KeyNames</name>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
     </message>
 </context>
 <context>
@@ -1518,10 +1541,6 @@ Einzelheiten: %2</translation>
         <translation>Schlauch: %1 mm lang, reißt beim %2-Fachen seiner Länge</translation>
     </message>
     <message>
-        <source>Surface: a soft organ that gives way</source>
-        <translation>Unterlage: ein weiches Organ, das nachgibt</translation>
-    </message>
-    <message>
         <source>Hands: two, two fingers each</source>
         <translation>Hände: zwei, je zwei Finger</translation>
     </message>
@@ -1596,6 +1615,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Goal: lift the object by %1 mm and put it inside the ring</source>
         <translation>Ziel: das Objekt um %1 mm anheben und in den Ring legen</translation>
+    </message>
+    <message>
+        <source>Surface: a soft organ that deforms</source>
+        <translation>Unterlage: ein weiches Organ, das sich verformt</translation>
     </message>
 </context>
 <context>
@@ -2308,10 +2331,6 @@ Einzelheiten: %2</translation>
         <translation>zu keinem Fund wurde die Sicherheit angegeben</translation>
     </message>
     <message>
-        <source>no lump found was given a size</source>
-        <translation>zu keinem gefundenen Knoten wurde die Größe angegeben</translation>
-    </message>
-    <message>
         <source>the level asks for no size</source>
         <translation>die Stufe fragt nicht nach der Größe</translation>
     </message>
@@ -2368,14 +2387,6 @@ Einzelheiten: %2</translation>
         <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
-        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
-    </message>
-    <message>
-        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
-        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gebogen ist. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
-    </message>
-    <message>
         <source>Apex error</source>
         <translation>Scheitelfehler</translation>
     </message>
@@ -2406,6 +2417,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
         <translation>Der Scheitelfehler von jemandem, der nichts wahrnimmt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. When the two are in line, the wall near the tip is equally wide all round.</source>
+        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss. Liegen beide in einer Linie, ist die Wand nahe der Spitze rundum gleich breit.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. When the two are in line, the wall near the tip is equally wide all round.</source>
+        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gebogen ist. Liegen beide in einer Linie, ist die Wand nahe der Spitze rundum gleich breit.</translation>
+    </message>
+    <message>
+        <source>none of the lumps found was given a size</source>
+        <translation>zu keinem gefundenen Knoten wurde die Größe angegeben</translation>
     </message>
 </context>
 <context>
@@ -2757,10 +2780,6 @@ Einzelheiten: %2</translation>
         <translation>Diese Person ist simuliert: Ihre Läufe entstehen auf der Befehlszeile.</translation>
     </message>
     <message>
-        <source>Nothing is left to do: this participant has withdrawn. If another is to take their place, enrol somebody.</source>
-        <translation>Es ist nichts mehr zu tun: Diese Person hat sich zurückgezogen. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
-    </message>
-    <message>
         <source>Bring the study back from the archive before this participant goes on.</source>
         <translation>Holen Sie die Studie aus dem Archiv zurück, bevor diese Person weitermacht.</translation>
     </message>
@@ -2788,6 +2807,10 @@ Einzelheiten: %2</translation>
         <source>Nothing is left to do: this participant has done everything.</source>
         <translation>Es ist nichts mehr zu tun: Diese Person hat alles erledigt.</translation>
     </message>
+    <message>
+        <source>Nothing is left to do: this participant has withdrawn. If somebody else is to take their place, enrol that person.</source>
+        <translation>Es ist nichts mehr zu tun: Diese Person hat sich zurückgezogen. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -2802,10 +2825,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>In each trial you explore three objects and choose one of three answers.</source>
         <translation>In jedem Durchgang erkunden Sie drei Objekte und wählen eine von drei Antworten.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore one object and choose one of two answers.</source>
-        <translation>In jedem Durchgang erkunden Sie ein Objekt und wählen eine von zwei Antworten.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2879,20 +2898,12 @@ Einzelheiten: %2</translation>
         <translation>Dann verschwinden die Objekte, und Sie haben zum Antworten so viel Zeit, wie Sie möchten.</translation>
     </message>
     <message>
-        <source>Only in practice you are told whether your answer was right.</source>
-        <translation>Nur in der Übung erfahren Sie, ob Ihre Antwort richtig war.</translation>
-    </message>
-    <message>
         <source>After each trial you are told whether your answer was right.</source>
         <translation>Nach jedem Durchgang erfahren Sie, ob Ihre Antwort richtig war.</translation>
     </message>
     <message>
         <source>You are not told whether your answers are right.</source>
         <translation>Sie erfahren nicht, ob Ihre Antworten richtig sind.</translation>
-    </message>
-    <message>
-        <source>Only in practice you are told how far your mark is from the highest point.</source>
-        <translation>Nur in der Übung erfahren Sie, wie weit Ihre Markierung vom höchsten Punkt entfernt ist.</translation>
     </message>
     <message>
         <source>After each trial you are told how far your mark is from the highest point.</source>
@@ -2943,13 +2954,6 @@ Einzelheiten: %2</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
-        <translation>
-            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
-            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
             <numerusform>Nach jedem Teil beantworten Sie %n Frage dazu.</numerusform>
@@ -2978,6 +2982,29 @@ Einzelheiten: %2</translation>
     <message>
         <source>In each trial you change one object until it seems like the other, and confirm.</source>
         <translation>In jedem Durchgang verändern Sie ein Objekt, bis es Ihnen wie das andere vorkommt, und bestätigen.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and compare it with the reference, which the experimenter shows you before the trials; you answer yes or no.</source>
+        <translation>In jedem Durchgang erkunden Sie ein Objekt und vergleichen es mit der Referenz, die Ihnen die Versuchsleitung vor den Durchgängen zeigt; Sie antworten mit Ja oder Nein.</translation>
+    </message>
+    <message>
+        <source>Where you search for the highest point, the trial ends after these %1 seconds.</source>
+        <translation>Wo Sie den höchsten Punkt suchen, endet der Durchgang nach diesen %1 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Only in practice are you told whether your answer was right.</source>
+        <translation>Nur in der Übung erfahren Sie, ob Ihre Antwort richtig war.</translation>
+    </message>
+    <message>
+        <source>Only in practice are you told how far your mark is from the highest point.</source>
+        <translation>Nur in der Übung erfahren Sie, wie weit Ihre Markierung vom höchsten Punkt entfernt ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>First come %n practice trial(s), which do not count.</source>
+        <translation>
+            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3548,16 +3575,8 @@ Einzelheiten: %2</translation>
         <translation>Durchgänge je Stufe</translation>
     </message>
     <message>
-        <source>Each level is presented so often.</source>
-        <translation>Jede Stufe wird so oft dargeboten.</translation>
-    </message>
-    <message>
         <source>In random order</source>
         <translation>In zufälliger Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
-        <translation>Stufen kommen in zufälligen Blöcken mit je einer; sonst in der Reihenfolge der Tabelle.</translation>
     </message>
     <message>
         <source>Levels</source>
@@ -3578,10 +3597,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Presentations per level</source>
         <translation>Darbietungen je Stufe</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often before it is decided.</source>
-        <translation>Jede Stufe wird so oft dargeboten, bevor entschieden wird.</translation>
     </message>
     <message>
         <source>Right answers to go on</source>
@@ -3608,16 +3623,8 @@ Einzelheiten: %2</translation>
         <translation>Höchstzahl Durchgänge</translation>
     </message>
     <message>
-        <source>The run ends after so many trials at the latest.</source>
-        <translation>Der Lauf endet spätestens nach so vielen Durchgängen.</translation>
-    </message>
-    <message>
         <source>Reversals until stop</source>
         <translation>Umkehrungen bis zum Ende</translation>
-    </message>
-    <message>
-        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
-        <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Durchgänge beenden ihn.</translation>
     </message>
     <message>
         <source>Minimum trials</source>
@@ -3626,10 +3633,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>The run does not end earlier, however sure the estimate is.</source>
         <translation>Früher endet der Lauf nicht, wie sicher die Schätzung auch ist.</translation>
-    </message>
-    <message>
-        <source>Stop when known within</source>
-        <translation>Ende, wenn bekannt auf</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
@@ -3650,22 +3653,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Where the run begins: large enough to be felt by everybody.</source>
         <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt.</translation>
-    </message>
-    <message>
-        <source>Right answers aimed at</source>
-        <translation>Angestrebte richtige Antworten</translation>
-    </message>
-    <message>
-        <source>The run looks for the difference at which so many answers are right.</source>
-        <translation>Der Lauf sucht den Unterschied, bei dem so viele Antworten richtig sind.</translation>
-    </message>
-    <message>
-        <source>Deviation tolerated</source>
-        <translation>Erlaubte Abweichung</translation>
-    </message>
-    <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
-        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und sind sicherer.</translation>
     </message>
     <message>
         <source>First step</source>
@@ -3708,20 +3695,12 @@ Einzelheiten: %2</translation>
         <translation>Wo die Schwelle vor der ersten Antwort erwartet wird.</translation>
     </message>
     <message>
-        <source>Uncertainty of it</source>
-        <translation>Unsicherheit der Erwartung</translation>
-    </message>
-    <message>
         <source>How far off the expectation may be (one standard deviation).</source>
         <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung).</translation>
     </message>
     <message>
         <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
         <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung). Meist × 3.</translation>
-    </message>
-    <message>
-        <source>The threshold is where so many answers are right.</source>
-        <translation>Die Schwelle liegt dort, wo so viele Antworten richtig sind.</translation>
     </message>
     <message>
         <source>Slope β</source>
@@ -3744,10 +3723,6 @@ Einzelheiten: %2</translation>
         <translation>Durch Raten richtig</translation>
     </message>
     <message>
-        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
-        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
-    </message>
-    <message>
         <source>Quantile</source>
         <translation>Quantil</translation>
     </message>
@@ -3762,10 +3737,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Place trials at</source>
         <translation>Durchgänge liegen bei</translation>
-    </message>
-    <message>
-        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
-        <translation>Welcher Punkt des Wissens als Nächstes gefragt wird; das Quantil ist am wirksamsten.</translation>
     </message>
     <message>
         <source>QUEST</source>
@@ -3812,16 +3783,8 @@ Einzelheiten: %2</translation>
         <translation>Die Form, in der die richtigen Antworten mit dem Unterschied zunehmen sollen.</translation>
     </message>
     <message>
-        <source>Another function</source>
-        <translation>Andere Funktion</translation>
-    </message>
-    <message>
         <source>Same difference in a row</source>
         <translation>Gleicher Unterschied in Folge</translation>
-    </message>
-    <message>
-        <source>A difference is shown at most so often in succession; 0: no limit.</source>
-        <translation>Ein Unterschied kommt höchstens so oft nacheinander; 0: unbegrenzt.</translation>
     </message>
     <message>
         <source>Catch trials</source>
@@ -3852,10 +3815,6 @@ Einzelheiten: %2</translation>
         <translation>Gleichstände (in σ)</translation>
     </message>
     <message>
-        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
-        <translation>Unterschiede, unter denen Objekte gleich genannt werden, in Standardabweichungen des Gespürten, die als möglich gelten.</translation>
-    </message>
-    <message>
         <source>Just noticeable difference</source>
         <translation>Unterschiedsschwelle</translation>
     </message>
@@ -3880,16 +3839,8 @@ Einzelheiten: %2</translation>
         <translation>Richtige Antworten bis zum Schritt nach unten</translation>
     </message>
     <message>
-        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
-        <translation>So viele richtige Antworten nacheinander machen den nächsten Durchgang schwerer; 3 führen zu etwa 80 % richtigen.</translation>
-    </message>
-    <message>
         <source>Wrong answers for a step up</source>
         <translation>Falsche Antworten bis zum Schritt nach oben</translation>
-    </message>
-    <message>
-        <source>So many wrong answers in succession make the next trial easier.</source>
-        <translation>So viele falsche Antworten nacheinander machen den nächsten Durchgang leichter.</translation>
     </message>
     <message>
         <source>Step down as a share of a step up</source>
@@ -3906,10 +3857,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Reversals averaged</source>
         <translation>Gemittelte Umkehrungen</translation>
-    </message>
-    <message>
-        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
-        <translation>Die eigene Schätzung der Treppe ist das Mittel so vieler letzter Umkehrungen; die Anpassung nutzt alle Durchgänge.</translation>
     </message>
     <message>
         <source>Steps up</source>
@@ -3934,10 +3881,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
         <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort es schwerer: Der Lauf kommt schneller in die Nähe der Schwelle.</translation>
-    </message>
-    <message>
-        <source>Count anew after each step</source>
-        <translation>Nach jedem Schritt neu zählen</translation>
     </message>
     <message>
         <source>Right and wrong answers before a step do not count for the next one.</source>
@@ -3966,6 +3909,90 @@ Einzelheiten: %2</translation>
     <message>
         <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
         <translation>Wird nach richtigen Antworten schwerer und nach falschen leichter. Robust und leicht zu erklären.</translation>
+    </message>
+    <message>
+        <source>How often each level is presented.</source>
+        <translation>Wie oft jede Stufe dargeboten wird.</translation>
+    </message>
+    <message>
+        <source>Levels come in random order, each once in every block; otherwise in the order of the table.</source>
+        <translation>Die Stufen kommen in zufälliger Reihenfolge, in jedem Block jede einmal; sonst in der Reihenfolge der Tabelle.</translation>
+    </message>
+    <message>
+        <source>How often each level is presented before the run goes on or ends.</source>
+        <translation>Wie oft jede Stufe dargeboten wird, bevor der Lauf weitergeht oder endet.</translation>
+    </message>
+    <message>
+        <source>The run ends after this number of trials at the latest.</source>
+        <translation>Der Lauf endet spätestens nach dieser Zahl von Durchgängen.</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed this many times; 0: only the number of trials ends it.</source>
+        <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Zahl der Durchgänge beendet ihn.</translation>
+    </message>
+    <message>
+        <source>Stop at this precision</source>
+        <translation>Ende bei dieser Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Target share of right answers</source>
+        <translation>Angestrebter Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which this share of the answers is right.</source>
+        <translation>Der Lauf sucht den Unterschied, bei dem dieser Anteil der Antworten richtig ist.</translation>
+    </message>
+    <message>
+        <source>Tolerated deviation</source>
+        <translation>Erlaubte Abweichung</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and make the decision more reliable.</source>
+        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
+    </message>
+    <message>
+        <source>Its uncertainty</source>
+        <translation>Unsicherheit der Erwartung</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which this share of the answers is right.</source>
+        <translation>Die Schwelle ist der Unterschied, bei dem dieser Anteil der Antworten richtig ist.</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % with two alternatives.</source>
+        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>Where on the posterior distribution the next trial is placed; the quantile is the most efficient.</source>
+        <translation>An welchem Punkt der A-posteriori-Verteilung der nächste Durchgang liegt; das Quantil ist am wirksamsten.</translation>
+    </message>
+    <message>
+        <source>Change of the function</source>
+        <translation>Änderung der Funktion</translation>
+    </message>
+    <message>
+        <source>How often in succession a difference is shown at most; 0: no limit.</source>
+        <translation>Wie oft ein Unterschied höchstens nacheinander vorkommt; 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Possible limits below which two objects are called equal, in standard deviations of what is felt.</source>
+        <translation>Mögliche Grenzen, unter denen zwei Objekte gleich genannt werden, in Standardabweichungen des Gespürten.</translation>
+    </message>
+    <message>
+        <source>How many right answers in succession make the next trial harder; with 3 the run converges at about 80 % right answers.</source>
+        <translation>Wie viele richtige Antworten nacheinander den nächsten Durchgang schwerer machen; mit 3 läuft es auf etwa 80 % richtige Antworten hinaus.</translation>
+    </message>
+    <message>
+        <source>How many wrong answers in succession make the next trial easier.</source>
+        <translation>Wie viele falsche Antworten nacheinander den nächsten Durchgang leichter machen.</translation>
+    </message>
+    <message>
+        <source>How many of the last reversals are averaged for the staircase&apos;s own estimate; the fit uses all trials.</source>
+        <translation>Aus wie vielen der letzten Umkehrungen die Treppe ihre eigene Schätzung mittelt; die Anpassung nutzt alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Start counting again after each step</source>
+        <translation>Nach jedem Schritt neu zählen</translation>
     </message>
 </context>
 <context>
@@ -4423,10 +4450,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Dies ist ein ZIP-Archiv. Entpacken Sie es und wählen Sie die CSV-Datei darin.</translation>
     </message>
     <message>
-        <source>this is no text; a CSV file is needed</source>
-        <translation>das ist kein Text; nötig ist eine CSV-Datei</translation>
-    </message>
-    <message>
         <source>some letters cannot be read; save the list as “CSV UTF-8” once more</source>
         <translation>einige Buchstaben sind nicht lesbar; speichern Sie die Liste noch einmal als „CSV UTF-8“</translation>
     </message>
@@ -4453,10 +4476,6 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>has %1 fields, and there are %2 headings; put a value that holds the separator into quotation marks</source>
         <translation>hat %1 Felder, Überschriften gibt es aber %2; setzen Sie einen Wert, der das Trennzeichen enthält, in Anführungszeichen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
-        <translation>„%1“ ist keine Rolle; schreiben Sie Lernende Person, Ausbilder/in, Forschende Person oder Administration, durch Semikolon getrennt</translation>
     </message>
     <message>
         <source>a login name is needed</source>
@@ -4520,13 +4539,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>%1 hieße dann %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more people would get another full name; the table shows them.</source>
-        <translation>
-            <numerusform>%n weitere Person bekäme einen anderen vollständigen Namen; die Tabelle zeigt ihn.</numerusform>
-            <numerusform>%n weitere Personen bekämen einen anderen vollständigen Namen; die Tabelle zeigt sie.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
             <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
@@ -4552,6 +4564,21 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Cannot be imported yet</source>
         <translation>Kann noch nicht importiert werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more people would get a different full name; the table shows them.</source>
+        <translation>
+            <numerusform>%n weitere Person bekäme einen anderen vollständigen Namen; die Tabelle zeigt ihn.</numerusform>
+            <numerusform>%n weitere Personen bekämen einen anderen vollständigen Namen; die Tabelle zeigt sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>this is not a text file; a CSV file is needed</source>
+        <translation>das ist keine Textdatei; nötig ist eine CSV-Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
+        <translation>„%1“ ist keine Rolle; schreiben Sie Lernende Person, Ausbilder/in, Forschende Person oder Administration, durch Semikolon getrennt</translation>
     </message>
 </context>
 <context>
@@ -5142,7 +5169,7 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Nicht bestanden. %1</translation>
     </message>
     <message>
-        <source>not told by the device</source>
+        <source>not reported by the device</source>
         <translation>vom Gerät nicht angegeben</translation>
     </message>
 </context>
@@ -5286,12 +5313,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Automatische Sicherungen sind ausgeschaltet. Nur Sicherungen, die Sie selbst erstellen, schützen das Aufgezeichnete.</translation>
     </message>
     <message>
-        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
-Details: %2</source>
-        <translation>Die automatische Sicherung (%1) wurde nicht erstellt. Es wird erneut versucht; erstellen Sie bis dahin selbst eine.
-Einzelheiten: %2</translation>
-    </message>
-    <message>
         <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
         <translation>Die erste automatische Sicherung wird erstellt, sobald einige Minuten lang niemand das Programm benutzt hat oder wenn es beendet wird.</translation>
     </message>
@@ -5302,6 +5323,12 @@ Einzelheiten: %2</translation>
     <message>
         <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
         <translation>Die Sicherungen liegen auf derselben Festplatte wie der Standort: Fällt sie aus, ist beides verloren. Wählen Sie einen Ordner auf einer anderen Festplatte, einem USB-Laufwerk oder im Netzwerk.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It will be tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Die automatische Sicherung (%1) wurde nicht erstellt. Es wird erneut versucht; erstellen Sie bis dahin selbst eine.
+Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
@@ -5327,10 +5354,6 @@ Einzelheiten: %2</translation>
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
-        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf hebt.</translation>
-    </message>
-    <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
         <translation>Drücken Sie die Spitze in das Objekt oder streichen Sie darüber. Heben Sie den Griff, um loszulassen.</translation>
     </message>
@@ -5345,10 +5368,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
         <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, dann Enter. Die Rücktaste nimmt die letzte Angabe zurück.</translation>
-    </message>
-    <message>
-        <source>Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.</source>
-        <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, = vor einem, das dem letzten gleicht, dann Enter. Die Rücktaste nimmt zurück.</translation>
     </message>
     <message>
         <source>Press 1 for the same, 2 for different.</source>
@@ -5375,10 +5394,6 @@ Einzelheiten: %2</translation>
         <translation>Antworten</translation>
     </message>
     <message>
-        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
-        <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
-    </message>
-    <message>
         <source>%1 The answers can be clicked as well.</source>
         <translation>%1 Die Antworten können auch angeklickt werden.</translation>
     </message>
@@ -5391,16 +5406,28 @@ Einzelheiten: %2</translation>
         <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
-        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring und heben es dann.</translation>
-    </message>
-    <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
         <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring und heben sie dann.</translation>
     </message>
     <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Drücken Sie + und −, bis Ihnen beide gleich vorkommen, dann Enter.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Ziehen drehen Sie es von sich weg oder halten Sie Bild auf. Zum Loslassen senken Sie das Instrument deutlich unter den Ring und heben es dann.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
+        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Anheben drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, with = before one that equals the last, then Enter. Backspace takes the last one back.</source>
+        <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, mit = vor einem, das dem letzten gleicht, dann Enter. Die Rücktaste nimmt die letzte Angabe zurück.</translation>
+    </message>
+    <message>
+        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
+        <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
     </message>
 </context>
 <context>
@@ -5937,13 +5964,6 @@ Einzelheiten: %2</translation>
         <translation>
             <numerusform>%n Markierung liegt neben der Kugel.</numerusform>
             <numerusform>%n Markierungen liegen neben der Kugel.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
-        <translation>
-            <numerusform>%n Markierung stammt vom Beobachter für die Planung: Es wurde nichts dargestellt.</numerusform>
-            <numerusform>%n Markierungen stammen vom Beobachter für die Planung: Es wurde nichts dargestellt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6579,10 +6599,6 @@ Einzelheiten: %2</translation>
         <translation>%1 ist nicht in diesem Vergleich: Er ist einer von zwei Gruppen, und %1 hat sowohl in „%2“ als auch in „%3“ einen Wert.</translation>
     </message>
     <message>
-        <source>Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten seinen Wert nach unten und nach oben begrenzen, wovor auch sonst gewarnt wird und ob er beendet ist oder nicht. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten den Wert nicht begrenzen oder keinen ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie hinzu), Teilnehmende, die zurückgetreten sind, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
-    </message>
-    <message>
         <source>%1 in both</source>
         <translation>%1 in beiden</translation>
     </message>
@@ -6597,6 +6613,17 @@ Einzelheiten: %2</translation>
     <message>
         <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
         <translation>Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Dieses p wird nur angegeben, wo dieselben Personen in beiden geantwortet haben und die Antworten nicht die Unterschiede bestimmten: Nach adaptiven Läufen ist die angepasste Steigung verzerrt, und p wäre zu klein.</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers bound its value from below and from above, whatever other warnings it has and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten seinen Wert nach unten und nach oben begrenzen, welche anderen Warnungen er auch hat und ob er beendet ist oder nicht. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten den Wert nicht begrenzen oder keinen ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie hinzu), Teilnehmende, die zurückgetreten sind, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n Markierung stammt von einem simulierten Beobachter: Es wurde nichts dargestellt.</numerusform>
+            <numerusform>%n Markierungen stammen von einem simulierten Beobachter: Es wurde nichts dargestellt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6711,10 +6738,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Are two objects the same or different?</source>
         <translation>Sind zwei Objekte gleich oder verschieden?</translation>
-    </message>
-    <message>
-        <source>Does an object have more of the attribute than the reference explored before it?</source>
-        <translation>Ist die Eigenschaft bei einem Objekt stärker als bei der zuvor erkundeten Referenz?</translation>
     </message>
     <message>
         <source>One object is adjusted until it feels like the other.</source>
@@ -6897,14 +6920,6 @@ Einzelheiten: %2</translation>
         <translation>steifer</translation>
     </message>
     <message>
-        <source>The design was changed since. Undo in the study takes back one step after another.</source>
-        <translation>Der Entwurf wurde seither geändert. „Rückgängig“ in der Studie nimmt einen Schritt nach dem anderen zurück.</translation>
-    </message>
-    <message>
-        <source>The study was left since, so this can no longer be undone.</source>
-        <translation>Die Studie wurde seither verlassen, deshalb lässt sich das nicht mehr rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -6921,12 +6936,24 @@ Einzelheiten: %2</translation>
         <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was Ihnen gleich vorkommt, dürfen Sie als gleich angeben.</translation>
     </message>
     <message>
-        <source>Change the right one until both seem the same.</source>
-        <translation>Verändern Sie das rechte, bis Ihnen beide gleich vorkommen.</translation>
-    </message>
-    <message>
         <source>Give a number to what you perceive. Any positive number is allowed.</source>
         <translation>Ordnen Sie dem, was Sie wahrnehmen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
+    </message>
+    <message>
+        <source>The design has been changed since then. Undo in the study takes back one step after another.</source>
+        <translation>Der Entwurf wurde seither geändert. „Rückgängig“ in der Studie nimmt einen Schritt nach dem anderen zurück.</translation>
+    </message>
+    <message>
+        <source>You have left the study since then, so this can no longer be undone.</source>
+        <translation>Sie haben die Studie seither verlassen, deshalb lässt sich das nicht mehr rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Does an object have more of the attribute than the reference? Trials present the object alone: show participants the reference before they begin.</source>
+        <translation>Ist die Eigenschaft bei einem Objekt stärker als bei der Referenz? Durchgänge bieten nur das Objekt dar: Zeigen Sie den Teilnehmenden die Referenz, bevor sie beginnen.</translation>
+    </message>
+    <message>
+        <source>Change object 2 until both seem the same.</source>
+        <translation>Verändern Sie Objekt 2, bis Ihnen beide gleich vorkommen.</translation>
     </message>
 </context>
 <context>
@@ -6952,20 +6979,20 @@ Einzelheiten: %2</translation>
         <translation>die Zeit zum Erkunden ist begrenzt</translation>
     </message>
     <message>
-        <source>the task has another number of objects</source>
+        <source>The text says “%1” (%2), but %3. Change one of them.</source>
+        <translation>Im Text steht „%1“ (%2), aber %3. Ändern Sie eines von beiden.</translation>
+    </message>
+    <message>
+        <source>the task has a different number of objects</source>
         <translation>die Aufgabe hat eine andere Zahl von Objekten</translation>
     </message>
     <message>
-        <source>another number of trials is set</source>
+        <source>a different number of trials is set</source>
         <translation>eine andere Zahl von Durchgängen ist eingestellt</translation>
     </message>
     <message>
-        <source>another time is set</source>
+        <source>a different time is set</source>
         <translation>eine andere Zeit ist eingestellt</translation>
-    </message>
-    <message>
-        <source>The text says “%1” (%2), but %3. Change one of them.</source>
-        <translation>Im Text steht „%1“ (%2), aber %3. Ändern Sie eines von beiden.</translation>
     </message>
 </context>
 <context>
@@ -7098,10 +7125,6 @@ Einzelheiten: %2</translation>
         <translation>Abgeschlossen</translation>
     </message>
     <message>
-        <source>This level has no pass mark. Everything below is for you to compare.</source>
-        <translation>Diese Stufe hat keine Bestehensgrenze. Alles Folgende dient Ihrem Vergleich.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Bestanden</translation>
     </message>
@@ -7218,10 +7241,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Seit Ihrem letzten Versuch: %1</translation>
     </message>
     <message>
-        <source>Since the attempt before: %1</source>
-        <translation>Seit dem Versuch davor: %1</translation>
-    </message>
-    <message>
         <source>%1 percentage points</source>
         <translation>%1 Prozentpunkte</translation>
     </message>
@@ -7236,6 +7255,14 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>%1 What was recorded can be played back.</source>
         <translation>%1 Was aufgezeichnet wurde, lässt sich wiedergeben.</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark. The values below are for comparison only.</source>
+        <translation>Diese Stufe hat keine Bestehensgrenze. Die folgenden Werte dienen nur dem Vergleich.</translation>
+    </message>
+    <message>
+        <source>Since the previous attempt: %1</source>
+        <translation>Seit dem vorigen Versuch: %1</translation>
     </message>
 </context>
 <context>
@@ -7269,10 +7296,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Wie an diesem Arbeitsplatz</translation>
     </message>
     <message>
-        <source>It comes back whenever you log in on this station and changes nothing for others.</source>
-        <translation>Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.</translation>
-    </message>
-    <message>
         <source>Password</source>
         <translation>Passwort</translation>
     </message>
@@ -7303,10 +7326,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>Saving …</source>
         <translation>Wird gespeichert …</translation>
-    </message>
-    <message>
-        <source>You are now shown with your login name alone.</source>
-        <translation>Sie werden jetzt nur mit Ihrem Anmeldenamen gezeigt.</translation>
     </message>
     <message>
         <source>Your name is now %1.</source>
@@ -7345,26 +7364,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Anmeldename: %1. Sie können ihn unter „Personen“ ändern.</translation>
     </message>
     <message>
-        <source>Your own name, language and password.
-
-The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
-
-The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
-
-To change your password, first enter the one that you have now.
-
-Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
-        <translation>Ihr eigener Name, Ihre Sprache und Ihr Passwort.
-
-Den vollständigen Namen sehen andere in Listen und Berichten; Ihre früheren Namen bleiben im Verlauf des Standorts. Den Anmeldenamen kann die Administration ändern.
-
-Die Sprache gilt sofort. Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.
-
-Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.
-
-Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich erstellen und mit ihm ein neues Passwort festlegen, falls das alte vergessen ist.</translation>
-    </message>
-    <message>
         <source>Recovery code</source>
         <translation>Wiederherstellungscode</translation>
     </message>
@@ -7389,6 +7388,34 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>You have none yet. Without it, only another administrator can help you if you forget your password.</source>
         <translation>Sie haben noch keinen. Ohne ihn kann Ihnen, falls Sie Ihr Passwort vergessen, nur eine andere Person der Administration helfen.</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It is used whenever you log in on this station, and changes nothing for others.
+
+To change your password, first enter the one that you have now.
+
+Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
+        <translation>Ihr eigener Name, Ihre Sprache und Ihr Passwort.
+
+Den vollständigen Namen sehen andere in Listen und Berichten; Ihre früheren Namen bleiben im Verlauf des Standorts. Den Anmeldenamen kann die Administration ändern.
+
+Die Sprache gilt sofort. Sie gilt bei jeder Anmeldung an diesem Arbeitsplatz und ändert für andere nichts.
+
+Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.
+
+Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich erstellen und mit ihm ein neues Passwort festlegen, falls das alte vergessen ist.</translation>
+    </message>
+    <message>
+        <source>It is used whenever you log in on this station, and changes nothing for others.</source>
+        <translation>Sie gilt bei jeder Anmeldung an diesem Arbeitsplatz und ändert für andere nichts.</translation>
+    </message>
+    <message>
+        <source>Others now see only your login name.</source>
+        <translation>Andere sehen jetzt nur noch Ihren Anmeldenamen.</translation>
     </message>
 </context>
 <context>
@@ -7727,14 +7754,14 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
 <context>
     <name>chiron::desktop::BackupKeeper</name>
     <message>
-        <source>The automatic backup was not made; it is tried again.
+        <source>Open storage</source>
+        <translation>Datensicherung öffnen</translation>
+    </message>
+    <message>
+        <source>The automatic backup was not made; it will be tried again.
 %1</source>
         <translation>Die automatische Sicherung wurde nicht erstellt; es wird erneut versucht.
 %1</translation>
-    </message>
-    <message>
-        <source>Open storage</source>
-        <translation>Datensicherung öffnen</translation>
     </message>
 </context>
 <context>
@@ -7759,14 +7786,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>muss berichtigt werden</translation>
     </message>
     <message>
-        <source>being found out</source>
-        <translation>wird ermittelt</translation>
-    </message>
-    <message>
-        <source>What is looked at before freezing</source>
-        <translation>Was vor dem Einfrieren geprüft wird</translation>
-    </message>
-    <message>
         <source>%1, %2: %3</source>
         <translation>%1, %2: %3</translation>
     </message>
@@ -7777,6 +7796,14 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>being calculated</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <source>What is checked before freezing</source>
+        <translation>Was vor dem Einfrieren geprüft wird</translation>
     </message>
 </context>
 <context>
@@ -8058,9 +8085,9 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Abgeben</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still on this page.
+        <source>The answers were not stored. They are still on this page: press Submit again, and call the experimenter if that does not help.
 %1</source>
-        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite.
+        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite: Drücken Sie noch einmal „Abgeben“, und rufen Sie die Versuchsleitung, wenn das nicht hilft.
 %1</translation>
     </message>
 </context>
@@ -8095,20 +8122,12 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Eigenschaft</translation>
     </message>
     <message>
-        <source>Another attribute</source>
-        <translation>Andere Eigenschaft</translation>
-    </message>
-    <message>
         <source>Reference</source>
         <translation>Referenz</translation>
     </message>
     <message>
         <source>Task</source>
         <translation>Aufgabe</translation>
-    </message>
-    <message>
-        <source>Another task</source>
-        <translation>Andere Aufgabe</translation>
     </message>
     <message>
         <source>Criterion</source>
@@ -8129,14 +8148,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>Scale of the procedure</source>
         <translation>Skala des Verfahrens</translation>
-    </message>
-    <message>
-        <source>Interleave one more</source>
-        <translation>Weiteres einmischen</translation>
-    </message>
-    <message>
-        <source>Remove the last</source>
-        <translation>Letztes entfernen</translation>
     </message>
     <message>
         <source>Remove a procedure</source>
@@ -8179,10 +8190,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Was gesucht wird</translation>
     </message>
     <message>
-        <source>What the objects differ in, and nothing else.</source>
-        <translation>Worin sich die Objekte unterscheiden, und in nichts sonst.</translation>
-    </message>
-    <message>
         <source>What the condition is called in tables and figures. Participants never see it.</source>
         <translation>Wie die Bedingung in Tabellen und Abbildungen heißt. Teilnehmende sehen es nie.</translation>
     </message>
@@ -8205,10 +8212,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>Threshold at</source>
         <translation>Schwelle bei</translation>
-    </message>
-    <message>
-        <source>The threshold is the difference at which so many answers are right.</source>
-        <translation>Die Schwelle ist der Unterschied, bei dem so viele Antworten richtig sind.</translation>
     </message>
     <message>
         <source>The differences from the reference that a procedure may choose from.</source>
@@ -8239,12 +8242,36 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Die Bedingung „%1“ wurde entfernt.</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
-        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen. Er folgt dem englischen Titel, bis jemand einen anderen eingibt.</translation>
-    </message>
-    <message>
         <source>The last procedure of this condition was removed.</source>
         <translation>Das letzte Verfahren dieser Bedingung wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>Change of the attribute</source>
+        <translation>Änderung der Eigenschaft</translation>
+    </message>
+    <message>
+        <source>The only property in which the objects differ.</source>
+        <translation>Die einzige Eigenschaft, in der sich die Objekte unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition needs a different one. It follows the English title until somebody types a name.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung braucht einen anderen. Er folgt dem englischen Titel, bis jemand einen anderen eingibt.</translation>
+    </message>
+    <message>
+        <source>Change of the task</source>
+        <translation>Änderung der Aufgabe</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which this share of the answers is right.</source>
+        <translation>Die Schwelle ist der Unterschied, bei dem dieser Anteil der Antworten richtig ist.</translation>
+    </message>
+    <message>
+        <source>Interleave another procedure</source>
+        <translation>Weiteres Verfahren einmischen</translation>
+    </message>
+    <message>
+        <source>Remove the last procedure</source>
+        <translation>Letztes Verfahren entfernen</translation>
     </message>
 </context>
 <context>
@@ -8260,10 +8287,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>I have read this and I agree</source>
         <translation>Ich habe dies gelesen und willige ein</translation>
-    </message>
-    <message>
-        <source>The time and the text&apos;s SHA-256 are recorded. Participants may withdraw at any time.</source>
-        <translation>Zeitpunkt und SHA-256 des Textes werden festgehalten. Wer teilnimmt, kann jederzeit zurücktreten.</translation>
     </message>
     <message>
         <source>Record the consent</source>
@@ -8286,6 +8309,10 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>Instructions</source>
         <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>The time is recorded, and a checksum (SHA-256) that shows which text you have read. You may withdraw at any time.</source>
+        <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können jederzeit zurücktreten.</translation>
     </message>
 </context>
 <context>
@@ -8327,8 +8354,8 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Übung beenden</translation>
     </message>
     <message>
-        <source>Go on to what counts; its card comes first.</source>
-        <translation>Weiter zu dem, was zählt; zuerst kommt die Anleitung.</translation>
+        <source>Go on to the trials that count. Their card is shown first.</source>
+        <translation>Weiter zu den Durchgängen, die zählen. Zuerst kommt die Anleitung.</translation>
     </message>
 </context>
 <context>
@@ -8863,10 +8890,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>No participant who has withdrawn waits to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
-        <translation>Es wartet niemand, der die Teilnahme zurückgezogen hat, auf die Löschung. Forschende ziehen eine Teilnahme im Bereich „Durchführen“ der Studie zurück.</translation>
-    </message>
-    <message>
         <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
         <translation>Überschrieben werden: wer die Person war, die Antworten auf Fragebögen, Kommentare zu ihren Sitzungen und, wie sie es wünschte, die Aufzeichnungen. Unter dem Code bleiben Läufe und Durchgänge erhalten.</translation>
     </message>
@@ -8885,6 +8908,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
         <translation>Hier wird gelöscht, wer in einer Studie hinter dem Code steht; ein Konto derselben Person bleibt bestehen. Um ein Konto zu löschen, wählen Sie die Person in der Liste und drücken Sie „Löschen“.</translation>
+    </message>
+    <message>
+        <source>No participant who has withdrawn is waiting to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
+        <translation>Es wartet niemand, der die Teilnahme zurückgezogen hat, auf die Löschung. Forschende ziehen eine Teilnahme im Bereich „Durchführen“ der Studie zurück.</translation>
     </message>
 </context>
 <context>
@@ -8927,14 +8954,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 <context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
-        <source>Passed, felt and shown</source>
-        <translation>Bestanden, gefühlt und gezeigt</translation>
-    </message>
-    <message>
-        <source>Passed by touch</source>
-        <translation>Mit gefühlter Kraft bestanden</translation>
-    </message>
-    <message>
         <source>Passed with shown force</source>
         <translation>Mit gezeigter Kraft bestanden</translation>
     </message>
@@ -8960,6 +8979,14 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1 · next step</source>
         <translation>%1 · nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Passed with felt and with shown force</source>
+        <translation>Mit gefühlter und mit gezeigter Kraft bestanden</translation>
+    </message>
+    <message>
+        <source>Passed with felt force</source>
+        <translation>Mit gefühlter Kraft bestanden</translation>
     </message>
 </context>
 <context>
@@ -9476,12 +9503,12 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Eingefroren. Jetzt können Personen aufgenommen werden.</translation>
     </message>
     <message>
-        <source>What is marked in red must be corrected first: after freezing nobody can.</source>
-        <translation>Was rot markiert ist, muss zuerst berichtigt werden: Nach dem Einfrieren kann es niemand mehr.</translation>
-    </message>
-    <message>
         <source>I have seen what is worth a look and freeze it all the same</source>
         <translation>Ich habe gesehen, was einen Blick wert ist, und friere trotzdem ein</translation>
+    </message>
+    <message>
+        <source>What is marked in red must be corrected first: after freezing, nobody can change it.</source>
+        <translation>Was rot markiert ist, muss zuerst berichtigt werden: Nach dem Einfrieren kann es niemand mehr ändern.</translation>
     </message>
 </context>
 <context>
@@ -9497,14 +9524,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     <message>
         <source>Aim</source>
         <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>What the study goes by in lists, reports and exports.</source>
-        <translation>Wie die Studie in Listen, Berichten und Ausgaben heißt.</translation>
-    </message>
-    <message>
-        <source>How many people are to take part; Preview shows what so many can find out.</source>
-        <translation>Wie viele Personen teilnehmen sollen; die Vorschau zeigt, was sich mit so vielen herausfinden lässt.</translation>
     </message>
     <message>
         <source>Source of the design</source>
@@ -9553,6 +9572,14 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     <message>
         <source>Consent text (required)</source>
         <translation>Text der Einwilligung (erforderlich)</translation>
+    </message>
+    <message>
+        <source>The study&apos;s name in lists, reports and exports.</source>
+        <translation>Der Name der Studie in Listen, Berichten und Exporten.</translation>
+    </message>
+    <message>
+        <source>How many people are to take part; Preview shows which difference this number can detect.</source>
+        <translation>Wie viele Personen teilnehmen sollen; die Vorschau zeigt, welcher Unterschied sich mit dieser Zahl nachweisen lässt.</translation>
     </message>
 </context>
 <context>
@@ -10077,10 +10104,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         </translation>
     </message>
     <message>
-        <source>Everything is reviewed. Of each level, a trainee&apos;s latest attempt will appear here.</source>
-        <translation>Alles ist begutachtet. Von jeder Stufe erscheint hier der neueste Versuch der Lernenden.</translation>
-    </message>
-    <message>
         <source>List of sessions to review</source>
         <translation>Liste der zu begutachtenden Sitzungen</translation>
     </message>
@@ -10102,6 +10125,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>Progress of the group</source>
         <translation>Fortschritt der Gruppe</translation>
+    </message>
+    <message>
+        <source>Everything is reviewed. A trainee&apos;s latest attempt at each level will appear here.</source>
+        <translation>Alles ist begutachtet. Hier erscheint von jeder Stufe der neueste Versuch der Lernenden.</translation>
     </message>
 </context>
 <context>
@@ -10678,7 +10705,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Nobody of this name can log in here. Ask an administrator; your login name may have changed.</source>
+        <source>Nobody with this name can log in here. Ask an administrator; your login name may have changed.</source>
         <translation>Unter diesem Namen kann sich hier niemand anmelden. Fragen Sie die Administration; Ihr Anmeldename wurde vielleicht geändert.</translation>
     </message>
 </context>
@@ -11341,10 +11368,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Teilnehmer/in löschen …</translation>
     </message>
     <message>
-        <source>Nobody is found</source>
-        <translation>Niemand gefunden</translation>
-    </message>
-    <message>
         <source>No name and no role matches &quot;%1&quot;.</source>
         <translation>Kein Name und keine Rolle passt zu „%1“.</translation>
     </message>
@@ -11363,6 +11386,10 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Permanently removes the identity of the person who is chosen in the list.</source>
         <translation>Entfernt endgültig die Identität der Person, die in der Liste gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Nobody was found</source>
+        <translation>Niemand gefunden</translation>
     </message>
 </context>
 <context>
@@ -11435,7 +11462,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Internes Rauschen</translation>
     </message>
     <message>
-        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <source>How much the same object feels different from one time to the next (one standard deviation).</source>
         <translation>Wie unterschiedlich sich ein und dasselbe Objekt von Mal zu Mal anfühlt (eine Standardabweichung).</translation>
     </message>
 </context>
@@ -12098,14 +12125,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>keines bis × 10</translation>
     </message>
     <message>
-        <source>smallest ratio detectable with %1 power by %2 participants who do both conditions</source>
-        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei %2 Personen in beiden Bedingungen nachweisen lässt</translation>
-    </message>
-    <message>
-        <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
-        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
-    </message>
-    <message>
         <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
         <translation>Wie gut ein Scheitel gefunden wird, wird mit der veröffentlichten Streuung der Markierungen geplant: %1 des Radius je Achse.</translation>
     </message>
@@ -12114,32 +12133,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Wie kleine Unterschiede sie spüren, als Anteil der Referenz.</translation>
     </message>
     <message>
-        <source>Share of their answers that are careless.</source>
-        <translation>Anteil ihrer unachtsamen Antworten.</translation>
-    </message>
-    <message>
-        <source>Differences below it they call equal, in standard deviations of what they feel.</source>
-        <translation>Kleinere Unterschiede nennen sie gleich; in Standardabweichungen dessen, was sie spüren.</translation>
-    </message>
-    <message>
-        <source>More runs take longer, and their figures are surer.</source>
-        <translation>Mehr Läufe dauern länger, und ihre Zahlen sind sicherer.</translation>
-    </message>
-    <message>
-        <source>Else each person does one of them.</source>
-        <translation>Sonst macht jede Person eine von beiden.</translation>
-    </message>
-    <message>
         <source>How many people are compared.</source>
         <translation>Wie viele Personen verglichen werden.</translation>
     </message>
     <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Wie oft ein Unterschied gefunden werden darf, wo keiner ist.</translation>
-    </message>
-    <message>
-        <source>How often a difference that is there is to be found.</source>
-        <translation>Wie oft ein vorhandener Unterschied gefunden werden soll.</translation>
     </message>
     <message>
         <source>spread of one mark along an axis, as published</source>
@@ -12176,16 +12175,40 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>How much people vary: 40 % is a factor of 1.4.</source>
         <translation>Wie stark Personen streuen: 40 % entsprechen dem Faktor 1,4.</translation>
     </message>
+    <message>
+        <source>Share of their answers that is careless.</source>
+        <translation>Anteil ihrer unachtsamen Antworten.</translation>
+    </message>
+    <message>
+        <source>They call smaller differences equal; in standard deviations of what they feel.</source>
+        <translation>Kleinere Unterschiede nennen sie gleich; in Standardabweichungen dessen, was sie spüren.</translation>
+    </message>
+    <message>
+        <source>More runs take longer and give more precise figures.</source>
+        <translation>Mehr Läufe dauern länger und ergeben genauere Zahlen.</translation>
+    </message>
+    <message>
+        <source>Otherwise each person does one of them.</source>
+        <translation>Sonst macht jede Person eine von beiden.</translation>
+    </message>
+    <message>
+        <source>How often an existing difference should be found.</source>
+        <translation>Wie oft ein vorhandener Unterschied gefunden werden soll.</translation>
+    </message>
+    <message>
+        <source>smallest ratio detectable with %1 power and %2 participants who do both conditions</source>
+        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei %2 Personen in beiden Bedingungen nachweisen lässt</translation>
+    </message>
+    <message>
+        <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
+        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
     <message>
         <source>Procedure</source>
         <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>Another procedure</source>
-        <translation>Anderes Verfahren</translation>
     </message>
     <message>
         <source>Change of the procedure</source>
@@ -12208,10 +12231,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Durchgänge</translation>
     </message>
     <message>
-        <source>How often a participant looks for the apex.</source>
-        <translation>Wie oft eine Person den Scheitel sucht.</translation>
-    </message>
-    <message>
         <source>Threshold</source>
         <translation>Schwelle</translation>
     </message>
@@ -12226,14 +12245,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Spreads of the answers between these are considered possible.</source>
         <translation>Streuungen der Antworten dazwischen gelten als möglich.</translation>
-    </message>
-    <message>
-        <source>Shares of wrong answers although the difference is felt that are considered possible.</source>
-        <translation>Anteile falscher Antworten trotz gespürten Unterschieds, die als möglich gelten.</translation>
-    </message>
-    <message>
-        <source>Share of answers that are right by guessing: 50 % of two alternatives.</source>
-        <translation>Anteil der durch Raten richtigen Antworten: 50 % bei zwei Alternativen.</translation>
     </message>
     <message>
         <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
@@ -12252,10 +12263,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>%1: bis</translation>
     </message>
     <message>
-        <source>The largest that is considered possible.</source>
-        <translation>Der größte Wert, der als möglich gilt.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: Schritte</translation>
     </message>
@@ -12264,8 +12271,28 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
-        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte unregelmäßig verteilt; eine Änderung verteilt sie regelmäßig.</translation>
+        <source>Choice of the procedure</source>
+        <translation>Wahl des Verfahrens</translation>
+    </message>
+    <message>
+        <source>How many times each participant searches for the apex.</source>
+        <translation>Wie oft jede Person den Scheitel sucht.</translation>
+    </message>
+    <message>
+        <source>Possible shares of wrong answers to differences that are felt.</source>
+        <translation>Mögliche Anteile falscher Antworten auf Unterschiede, die gespürt werden.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right by guessing: 50 % with two alternatives.</source>
+        <translation>Anteil der durch Raten richtigen Antworten: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>The largest value that is considered possible.</source>
+        <translation>Der größte Wert, der als möglich gilt.</translation>
+    </message>
+    <message>
+        <source>The largest value. The imported design spaces these values irregularly; after a change they are spaced regularly.</source>
+        <translation>Der größte Wert. Der eingelesene Entwurf verteilt diese Werte unregelmäßig; nach einer Änderung sind sie regelmäßig verteilt.</translation>
     </message>
 </context>
 <context>
@@ -12370,14 +12397,14 @@ A row is a person. Under each exercise stands the lowest level that the person h
 
 The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
 
-Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+Choose a cell with the arrow keys and press Enter to see the sessions of that person at that exercise.</source>
         <translation>Wie weit jede Person der Gruppe ist.
 
 Eine Zeile ist eine Person. Unter jeder Übung steht die niedrigste Stufe, die die Person nicht bestanden hat, oder „Alle bestanden“; ein Kreuz kennzeichnet eine Stufe, die sie schon versucht hat. „Letzte Sitzung“ sagt, wann zuletzt trainiert wurde, und „Zu begutachten“, wie viele Sitzungen der Person auf Ihre Begutachtung warten. Die Zeile unter der Tabelle sagt mehr zur gewählten Zelle: den Stand auf jeder Stufe einer Übung oder, beim Namen, was das Programm als Nächstes anbietet. Lernende, deren Konto gesperrt ist, stehen nicht in der Liste.
 
 Das Programm führt keine Gruppenlisten: Geben Sie mehrere Namen mit Kommas dazwischen ein, um nur diese Personen zu sehen. Mit der Auswahl daneben bleiben nur die Personen stehen, die länger nicht trainiert oder noch nicht alles bestanden haben.
 
-Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um die Sitzungen dieser Person in dieser Übung zu sehen.</translation>
+Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie Enter, um die Sitzungen dieser Person in dieser Übung zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -12571,12 +12598,6 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
         <translation>Abgeben</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still on this page.
-%1</source>
-        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite.
-%1</translation>
-    </message>
-    <message>
         <source>Thank you. The answers are stored.</source>
         <translation>Danke. Die Antworten sind gespeichert.</translation>
     </message>
@@ -12607,6 +12628,12 @@ Mit Tab gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich au
     <message>
         <source>Each participant answers it once about each condition.</source>
         <translation>Jede Person beantwortet ihn einmal zu jeder Bedingung.</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still on this page: press Submit again, and call the experimenter if that does not help.
+%1</source>
+        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite: Drücken Sie noch einmal „Abgeben“, und rufen Sie die Versuchsleitung, wenn das nicht hilft.
+%1</translation>
     </message>
 </context>
 <context>
@@ -13504,18 +13531,6 @@ Einzelheiten: %1</translation>
         <translation>Meine Ergebnisse</translation>
     </message>
     <message>
-        <source>All your sessions, and your progress.
-
-Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
-
-Press Return or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
-        <translation>Alle Ihre Sitzungen und wie Sie vorankommen.
-
-Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; gefühlte und nur gezeigte Kraft haben eigene Linien und werden nie verglichen. Die waagerechte Linie ist die Bestehensgrenze; der Bereich zeigt, was andere erreicht haben.
-
-Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schreibt alles, was über Sie gespeichert ist, in einen Ordner Ihrer Wahl.</translation>
-    </message>
-    <message>
         <source>Export my data</source>
         <translation>Meine Daten exportieren</translation>
     </message>
@@ -13606,10 +13621,22 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     <message>
         <source>The results of one person.
 
-Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Return or double-click to open an attempt.</source>
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Enter or double-click to open an attempt.</source>
         <translation>Die Ergebnisse einer Person.
 
-Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; Versuche mit gespürter und mit nur angezeigter Kraft werden nie verglichen. Mit der Eingabetaste oder einem Doppelklick öffnen Sie einen Versuch.</translation>
+Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; Versuche mit gespürter und mit nur angezeigter Kraft werden nie verglichen. Mit Enter oder einem Doppelklick öffnen Sie einen Versuch.</translation>
+    </message>
+    <message>
+        <source>All your sessions, and your progress.
+
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
+
+Press Enter or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
+        <translation>Alle Ihre Sitzungen und wie Sie vorankommen.
+
+Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; gefühlte und nur gezeigte Kraft haben eigene Linien und werden nie verglichen. Die waagerechte Linie ist die Bestehensgrenze; der Bereich zeigt, was andere erreicht haben.
+
+Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schreibt alles, was über Sie gespeichert ist, in einen Ordner Ihrer Wahl.</translation>
     </message>
 </context>
 <context>
@@ -13642,10 +13669,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Trainiert und sieht die eigenen Ergebnisse</translation>
     </message>
     <message>
-        <source>Sees everybody&apos;s sessions, comments and voids them</source>
-        <translation>Sieht die Sitzungen aller, kommentiert sie und erklärt sie für ungültig</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Rollen (mindestens eine)</translation>
     </message>
@@ -13656,6 +13679,10 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>Manages people, storage and the station; may also design and run studies</source>
         <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz; darf auch Studien entwerfen und durchführen</translation>
+    </message>
+    <message>
+        <source>Sees everybody&apos;s sessions, and can comment on them and void them</source>
+        <translation>Sieht die Sitzungen aller, kommentiert sie und erklärt sie für ungültig</translation>
     </message>
 </context>
 <context>
@@ -13862,10 +13889,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Mit dem größten Unterschied und Rückmeldung, vor jeder Bedingung; nie gewertet.</translation>
     </message>
     <message>
-        <source>Break after so many trials</source>
-        <translation>Pause nach so vielen Durchgängen</translation>
-    </message>
-    <message>
         <source>Participants rest before they go on; 0: never.</source>
         <translation>Teilnehmende ruhen sich aus, bevor es weitergeht; 0: nie.</translation>
     </message>
@@ -13962,10 +13985,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
-        <translation>Eine ganze Zahl, aus der Reihenfolgen und Zufall gezogen werden: Dieselbe Zahl ergibt dieselbe Studie noch einmal.</translation>
-    </message>
-    <message>
         <source>Fidelity of a trial</source>
         <translation>Wiedergabetreue eines Durchgangs</translation>
     </message>
@@ -13990,10 +14009,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Fehler des gefühlten Werts</translation>
     </message>
     <message>
-        <source>How far what was rendered may be from what was asked for.</source>
-        <translation>Wie weit das Dargestellte vom Verlangten abweichen darf.</translation>
-    </message>
-    <message>
         <source>Late ticks</source>
         <translation>Verspätete Takte</translation>
     </message>
@@ -14004,10 +14019,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>Force at its limit</source>
         <translation>Kraft an der Grenze</translation>
-    </message>
-    <message>
-        <source>Share of the contact during which the device may give all it has.</source>
-        <translation>Anteil der Berührung, in dem das Gerät alles geben darf, was es hat.</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -14030,10 +14041,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Wiederholungen eines Durchgangs</translation>
     </message>
     <message>
-        <source>After so many the run pauses and asks the experimenter.</source>
-        <translation>Danach hält der Lauf an und fragt die Versuchsleitung.</translation>
-    </message>
-    <message>
         <source>Smallest force on an object</source>
         <translation>Kleinste Kraft auf ein Objekt</translation>
     </message>
@@ -14052,6 +14059,26 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von 0 bis %2 ein.</translation>
+    </message>
+    <message>
+        <source>Trials between breaks</source>
+        <translation>Durchgänge zwischen Pausen</translation>
+    </message>
+    <message>
+        <source>A whole number from which all orders and random choices are drawn: the same number gives the same study again.</source>
+        <translation>Eine ganze Zahl, aus der alle Reihenfolgen und Zufallsentscheidungen hervorgehen: Dieselbe Zahl ergibt dieselbe Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>How far the rendered value may be from the requested one.</source>
+        <translation>Wie weit der dargestellte Wert vom verlangten abweichen darf.</translation>
+    </message>
+    <message>
+        <source>Share of the contact time during which the device may be at its force limit.</source>
+        <translation>Anteil der Berührungszeit, in dem das Gerät an seiner Kraftgrenze sein darf.</translation>
+    </message>
+    <message>
+        <source>After this many repeats the run pauses and asks the experimenter.</source>
+        <translation>Nach so vielen Wiederholungen hält der Lauf an und fragt die Versuchsleitung.</translation>
     </message>
 </context>
 <context>
@@ -14561,20 +14588,20 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         </translation>
     </message>
     <message>
+        <source>The list is empty, so there is nothing to save.</source>
+        <translation>Die Liste ist leer, es gibt also nichts zu speichern.</translation>
+    </message>
+    <message>
         <source>All sessions recorded at this site, newest first.
 
 Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
 
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
         <translation>Alle Sitzungen dieses Standorts, die neuesten zuerst.
 
 Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen. Ihre Auswahl bleibt für den Rest des Tages. Ein Verweis von einem anderen Bildschirm, etwa „Liste der zu begutachtenden Sitzungen“, zeigt seine eigene Liste und lässt Ihre Auswahl, wie sie war. Ein Klick auf einen Spaltenkopf sortiert danach.
 
-Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
-    </message>
-    <message>
-        <source>The list is empty, so there is nothing to save.</source>
-        <translation>Die Liste ist leer, es gibt also nichts zu speichern.</translation>
+Enter oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
     </message>
 </context>
 <context>
@@ -15345,18 +15372,6 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
         <translation>Studien</translation>
     </message>
     <message>
-        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
-
-&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Return or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
-
-&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
-        <translation>Alle Studien dieses Standorts. Ein Entwurf wird gestaltet und mit simulierten Beobachtern erprobt. Ist er eingefroren, lässt er sich nie mehr ändern: Sein SHA-256 steht in jedem Export, und Personen werden unter zufälligen Codes aufgenommen.
-
-„Neue Studie“ beginnt mit einer Vorlage oder ganz leer; „Einlesen“ liest eine Studie aus einer JSON-Datei. Eingabetaste oder Doppelklick öffnet eine Studie. „Durchführen“ führt eine Person hindurch, „Daten“ zeigt die Ergebnisse.
-
-„Schließen“ beendet die Aufnahme endgültig. „Archivieren“ nimmt eine Studie aus der Liste und lässt sich rückgängig machen.</translation>
-    </message>
-    <message>
         <source>New study …</source>
         <translation>Neue Studie …</translation>
     </message>
@@ -15482,6 +15497,18 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     <message>
         <source>Copy to new study …</source>
         <translation>In neue Studie kopieren …</translation>
+    </message>
+    <message>
+        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
+
+&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Enter or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
+
+&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
+        <translation>Alle Studien dieses Standorts. Ein Entwurf wird gestaltet und mit simulierten Beobachtern erprobt. Ist er eingefroren, lässt er sich nie mehr ändern: Sein SHA-256 steht in jedem Export, und Personen werden unter zufälligen Codes aufgenommen.
+
+„Neue Studie“ beginnt mit einer Vorlage oder ganz leer; „Einlesen“ liest eine Studie aus einer JSON-Datei. Enter oder Doppelklick öffnet eine Studie. „Durchführen“ führt eine Person hindurch, „Daten“ zeigt die Ergebnisse.
+
+„Schließen“ beendet die Aufnahme endgültig. „Archivieren“ nimmt eine Studie aus der Liste und lässt sich rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -15661,10 +15688,6 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Die Studie ist noch nicht auf dem Bildschirm, deshalb wurde nichts exportiert. Versuchen Sie es noch einmal, sobald sie da ist.</translation>
     </message>
     <message>
-        <source>The export before is still being written. Try again once it says where it is.</source>
-        <translation>Der vorige Export wird noch geschrieben. Versuchen Sie es noch einmal, sobald gesagt wird, wo er liegt.</translation>
-    </message>
-    <message>
         <source>Nothing was exported: no place was chosen.</source>
         <translation>Es wurde nichts exportiert: Kein Ort wurde gewählt.</translation>
     </message>
@@ -15673,16 +15696,8 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Es gibt noch keine gewerteten Durchgänge.</translation>
     </message>
     <message>
-        <source>%1 is there already.</source>
-        <translation>%1 gibt es schon.</translation>
-    </message>
-    <message>
         <source>It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.</source>
         <translation>Es ist ein früherer Export. Sie können ihn durch die Daten ersetzen, wie sie jetzt sind, oder ihn behalten und den neuen Export daneben schreiben.</translation>
-    </message>
-    <message>
-        <source>It is no export of a study, so it is not replaced. You can write the export beside it.</source>
-        <translation>Es ist kein Export einer Studie und wird deshalb nicht ersetzt. Sie können den Export daneben schreiben.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -15705,8 +15720,20 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Es gilt für jede Seite hier und für das PDF und wird gemerkt.</translation>
     </message>
     <message>
-        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
-        <translation>Kein Lauf dieser Studie wurde nur gezeigt, hier ändert es also nichts. Es wird gemerkt.</translation>
+        <source>The previous export is still being written. Try again once the message says where it was written.</source>
+        <translation>Der vorige Export wird noch geschrieben. Versuchen Sie es noch einmal, sobald die Meldung sagt, wohin er geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>It is not an export of a study, so it is not replaced. You can write the export beside it.</source>
+        <translation>Es ist kein Export einer Studie und wird deshalb nicht ersetzt. Sie können den Export daneben schreiben.</translation>
+    </message>
+    <message>
+        <source>In no run of this study was force only shown, so this changes nothing here. The choice is remembered.</source>
+        <translation>In keinem Lauf dieser Studie wurde die Kraft nur gezeigt, hier ändert es also nichts. Die Wahl wird gemerkt.</translation>
     </message>
 </context>
 <context>
@@ -15927,8 +15954,8 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
-        <source>The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again.</source>
-        <translation>Die Vorschau wurde abgebrochen, weil ihre Seite verlassen wurde. Nichts davon ist erhalten: Drücken Sie dort „Vorschau“, um sie neu zu berechnen.</translation>
+        <source>The preview was stopped because you left its page, and nothing of it was kept. Press Preview there to calculate it again.</source>
+        <translation>Die Vorschau wurde abgebrochen, weil Sie ihre Seite verlassen haben, und nichts davon ist erhalten. Drücken Sie dort „Vorschau“, um sie neu zu berechnen.</translation>
     </message>
 </context>
 <context>
@@ -16193,24 +16220,24 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Space frees the mouse</source>
         <translation>Die Leertaste gibt die Maus frei</translation>
     </message>
-    <message>
-        <source>Click in the scene to work on</source>
-        <translation>Klicken Sie in die Szene, um weiterzuarbeiten</translation>
-    </message>
-    <message>
-        <source>Read on in the panel</source>
-        <translation>In der Leiste weiterlesen</translation>
-    </message>
-    <message>
-        <source>Read back in the panel</source>
-        <translation>In der Leiste zurücklesen</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Go.</source>
         <translation>
             <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
             <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Los“ drücken.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Click in the scene to go on</source>
+        <translation>Klicken Sie in die Szene, um weiterzuarbeiten</translation>
+    </message>
+    <message>
+        <source>Scroll down in the panel</source>
+        <translation>In der Leiste nach unten blättern</translation>
+    </message>
+    <message>
+        <source>Scroll up in the panel</source>
+        <translation>In der Leiste nach oben blättern</translation>
     </message>
 </context>
 <context>
@@ -16319,10 +16346,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Um wie viel das Objekt über der Referenz lag</translation>
     </message>
     <message>
-        <source>What the participant said</source>
-        <translation>Was die Person sagte</translation>
-    </message>
-    <message>
         <source>Whether the trial counts, and if not, why</source>
         <translation>Ob der Durchgang zählt, und wenn nicht, warum</translation>
     </message>
@@ -16358,6 +16381,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
+    <message>
+        <source>What the participant answered</source>
+        <translation>Was die Person antwortete</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TrialsScreen</name>
@@ -16384,10 +16411,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The next objects are coming. Lift the tool off.</source>
         <translation>Die nächsten Objekte kommen. Heben Sie das Instrument ab.</translation>
-    </message>
-    <message>
-        <source>Force is starting. Hold still for a moment.</source>
-        <translation>Die Kraft setzt ein. Halten Sie einen Moment still.</translation>
     </message>
     <message>
         <source>Correct.</source>
@@ -16425,28 +16448,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Please ask the experimenter</source>
-        <translation>Bitte fragen Sie die Versuchsleitung</translation>
-    </message>
-    <message>
-        <source>The last trial could not be presented accurately enough, even after several attempts.</source>
-        <translation>Der letzte Durchgang konnte auch nach mehreren Versuchen nicht genau genug dargeboten werden.</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Everything so far is kept.</source>
-        <translation>Alles Bisherige bleibt erhalten.</translation>
-    </message>
-    <message>
         <source>Thank you</source>
         <translation>Danke</translation>
-    </message>
-    <message>
-        <source>The answer was not accepted.</source>
-        <translation>Die Antwort wurde nicht angenommen.</translation>
     </message>
     <message>
         <source>Stop this session?</source>
@@ -16511,10 +16518,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Force is stopped</source>
         <translation>Kraft ist gestoppt</translation>
-    </message>
-    <message>
-        <source>Re-arm (R)</source>
-        <translation>Freigeben (R)</translation>
     </message>
     <message>
         <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
@@ -16597,10 +16600,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Die Seite der Versuchsperson ist auf dem anderen Bildschirm.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen is gone. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
-        <translation>Der Bildschirm der Versuchsperson ist weg. Die Sitzung ist unterbrochen, und alles bisher ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
-    </message>
-    <message>
         <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
         <translation>Die Sitzung ist unterbrochen. Gehen Sie zur Seite der Versuchsperson zurück, bevor Sie übergeben.</translation>
     </message>
@@ -16626,10 +16625,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>I am ready (Enter)</source>
         <translation>Ich bin bereit (Enter)</translation>
-    </message>
-    <message>
-        <source>The answers are here. They are taken once the trials begin.</source>
-        <translation>Hier sind die Antworten. Sie zählen, sobald die Durchgänge beginnen.</translation>
     </message>
     <message>
         <source>Touch the object first.</source>
@@ -16698,13 +16693,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Read the whole instruction again</source>
         <translation>Die ganze Anleitung noch einmal lesen</translation>
     </message>
-    <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
-        <translation>
-            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
-            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The pilot run is over</source>
         <translation>Der Probelauf ist vorbei</translation>
@@ -16766,18 +16754,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Weiter (Enter)</translation>
     </message>
     <message>
-        <source>What you do may differ from the part before: the next page shows the question and how you answer it.</source>
-        <translation>Was Sie tun, kann anders sein als im Teil davor: Die nächste Seite zeigt die Frage und wie Sie sie beantworten.</translation>
-    </message>
-    <message>
-        <source>You explore and answer as in the part before, unless the experimenter tells you otherwise.</source>
-        <translation>Sie erkunden und antworten wie im Teil davor, außer die Versuchsleitung sagt Ihnen etwas anderes.</translation>
-    </message>
-    <message>
-        <source>The number of trials may be another.</source>
-        <translation>Die Zahl der Durchgänge kann eine andere sein.</translation>
-    </message>
-    <message>
         <source>Stop … (Esc twice)</source>
         <translation>Anhalten … (Esc zweimal)</translation>
     </message>
@@ -16798,14 +16774,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Es kam keine Antwort rechtzeitig.</translation>
     </message>
     <message>
-        <source>The experimenter took it out.</source>
-        <translation>Die Versuchsleitung hat ihn herausgenommen.</translation>
-    </message>
-    <message>
-        <source>The device did not work accurately enough in it. That was not your doing.</source>
-        <translation>Das Gerät arbeitete dabei nicht genau genug. Das lag nicht an Ihnen.</translation>
-    </message>
-    <message>
         <source>The last trial did not count. %1 %2</source>
         <translation>Der letzte Durchgang zählte nicht. %1 %2</translation>
     </message>
@@ -16814,20 +16782,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung anzuhalten.</translation>
     </message>
     <message>
-        <source>Apart from this, you explore and answer as in the part before.</source>
-        <translation>Sonst erkunden und antworten Sie wie im Teil davor.</translation>
-    </message>
-    <message>
         <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
         <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>
         <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.</translation>
-    </message>
-    <message>
-        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
-        <translation>Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
     </message>
     <message>
         <source>In practice, Backspace takes an answer back.</source>
@@ -16900,6 +16860,73 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
         <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N erkundet. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again and does not count as an answer. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Bewegen Sie das Instrument mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und zählt nicht als Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the previous part: the next page shows the question and how you answer it.</source>
+        <translation>Was Sie tun, kann anders sein als im vorigen Teil: Die nächste Seite zeigt die Frage und wie Sie sie beantworten.</translation>
+    </message>
+    <message>
+        <source>Apart from this, you explore and answer as in the previous part.</source>
+        <translation>Sonst erkunden und antworten Sie wie im vorigen Teil.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the previous part, unless the experimenter tells you otherwise.</source>
+        <translation>Sie erkunden und antworten wie im vorigen Teil, außer die Versuchsleitung sagt Ihnen etwas anderes.</translation>
+    </message>
+    <message>
+        <source>The number of trials may differ.</source>
+        <translation>Die Zahl der Durchgänge kann anders sein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>First come %n practice trial(s), which do not count.</source>
+        <translation>
+            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The answer was not accepted. Please answer again, and call the experimenter if this happens once more.</source>
+        <translation>Die Antwort wurde nicht angenommen. Bitte antworten Sie noch einmal, und rufen Sie die Versuchsleitung, falls es wieder geschieht.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is no longer connected. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <translation>Der Bildschirm der Versuchsperson ist nicht mehr angeschlossen. Die Sitzung ist unterbrochen, und alles bisher ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
+    </message>
+    <message>
+        <source>The experimenter discarded it.</source>
+        <translation>Die Versuchsleitung hat ihn verworfen.</translation>
+    </message>
+    <message>
+        <source>The device did not work accurately enough. This was not your fault.</source>
+        <translation>Das Gerät arbeitete dabei nicht genau genug. Das lag nicht an Ihnen.</translation>
+    </message>
+    <message>
+        <source>You will answer here once the trials begin.</source>
+        <translation>Hier antworten Sie, sobald die Durchgänge beginnen.</translation>
+    </message>
+    <message>
+        <source>Hold still for a moment, then you can go on.</source>
+        <translation>Halten Sie einen Moment still, dann geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Please call the experimenter</source>
+        <translation>Bitte rufen Sie die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>The last trial could not be presented accurately enough, even after several attempts. The experimenter decides how to go on.</source>
+        <translation>Der letzte Durchgang konnte auch nach mehreren Versuchen nicht genau genug dargeboten werden. Die Versuchsleitung entscheidet, wie es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Go on (R)</source>
+        <translation>Weiter (R)</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <translation>Die Uhr steht, und alles Bisherige bleibt erhalten. Drücken Sie „Weiter“, um weiterzumachen.</translation>
     </message>
 </context>
 <context>

@@ -536,20 +536,12 @@
         <translation>Αυτό το έργο συγκρίνει μόνο με αντικείμενα πάνω από την αναφορά: κάθε διαφορά πρέπει να είναι πάνω από 0 %.</translation>
     </message>
     <message>
-        <source>A difference is there twice. Leave one of them out.</source>
-        <translation>Μία διαφορά υπάρχει δύο φορές. Αφαιρέστε τη μία.</translation>
-    </message>
-    <message>
         <source>This is empty. Write something.</source>
         <translation>Το πεδίο είναι κενό. Συμπληρώστε το.</translation>
     </message>
     <message>
         <source>Use lower-case letters, digits and _ only, a letter first.</source>
         <translation>Χρησιμοποιήστε μόνο πεζά λατινικά γράμματα, ψηφία και _, με γράμμα στην αρχή.</translation>
-    </message>
-    <message>
-        <source>This is there twice. Choose another.</source>
-        <translation>Υπάρχει ήδη. Επιλέξτε άλλο.</translation>
     </message>
     <message>
         <source>A level lies outside the table of differences. Choose one within it, or change the table.</source>
@@ -584,12 +576,20 @@
         <translation>Το μέγιστο πρέπει να είναι πάνω από το ελάχιστο.</translation>
     </message>
     <message>
-        <source>Give from %1 to %2 choices, one per line.</source>
-        <translation>Δώστε από %1 έως %2 επιλογές, μία ανά γραμμή.</translation>
-    </message>
-    <message>
         <source>Choose a value of at most %1.</source>
         <translation>Επιλέξτε τιμή έως %1.</translation>
+    </message>
+    <message>
+        <source>A difference is listed twice. Remove one of them.</source>
+        <translation>Μία διαφορά υπάρχει δύο φορές. Αφαιρέστε τη μία.</translation>
+    </message>
+    <message>
+        <source>This is already used. Choose something else.</source>
+        <translation>Υπάρχει ήδη. Επιλέξτε άλλο.</translation>
+    </message>
+    <message>
+        <source>Enter %1 to %2 choices, one per line.</source>
+        <translation>Εισαγάγετε %1 έως %2 επιλογές, μία ανά γραμμή.</translation>
     </message>
 </context>
 <context>
@@ -966,10 +966,6 @@ Details: %2</source>
         <translation>Σκοπός</translation>
     </message>
     <message>
-        <source>It is written.</source>
-        <translation>Έχει διατυπωθεί.</translation>
-    </message>
-    <message>
         <source>Write what is to be found out and what you expect. It cannot be added later.</source>
         <translation>Γράψτε τι θέλετε να διαπιστώσετε και τι αναμένετε. Αργότερα δεν μπορεί να προστεθεί.</translation>
     </message>
@@ -1006,10 +1002,6 @@ Details: %2</source>
         <translation>Προγραμματίστε τουλάχιστον ένα άτομο.</translation>
     </message>
     <message>
-        <source>One participant says nothing of others. Plan more, unless this is a case study.</source>
-        <translation>Ένα μόνο άτομο δεν λέει τίποτα για τα υπόλοιπα. Προγραμματίστε περισσότερα, εκτός αν πρόκειται για μελέτη περίπτωσης.</translation>
-    </message>
-    <message>
         <source>%1 are planned. With a multiple of %2 every order of conditions comes equally often.</source>
         <translation>Προβλέπονται %1. Με πολλαπλάσιο του %2 κάθε σειρά των συνθηκών εμφανίζεται εξίσου συχνά.</translation>
     </message>
@@ -1038,10 +1030,6 @@ Details: %2</source>
         <translation>Περίπου %1 λεπτά ανά άτομο, κατά την προσομοίωση.</translation>
     </message>
     <message>
-        <source>Simulated observers are finding out …</source>
-        <translation>Το υπολογίζουν προσομοιωμένοι παρατηρητές …</translation>
-    </message>
-    <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
         <translation>Μετά από μία ώρα η προσοχή μειώνεται: προγραμματίστε λιγότερες δοκιμές ή περισσότερες συνεδρίες.</translation>
     </message>
@@ -1056,14 +1044,6 @@ Details: %2</source>
     <message>
         <source>The threshold of one run varies by a factor of %1.</source>
         <translation>Το κατώφλι μιας εκτέλεσης μεταβάλλεται κατά συντελεστή %1.</translation>
-    </message>
-    <message>
-        <source>%1 participants find a ratio of %2 between two conditions with 80 % power.</source>
-        <translation>%1 συμμετέχοντες εντοπίζουν λόγο %2 μεταξύ δύο συνθηκών με ισχύ 80 %.</translation>
-    </message>
-    <message>
-        <source>So few participants find no ratio up to 10 between two conditions.</source>
-        <translation>Τόσο λίγοι συμμετέχοντες δεν εντοπίζουν λόγο έως 10 μεταξύ δύο συνθηκών.</translation>
     </message>
     <message>
         <source>More trials make it more precise; Preview shows how many.</source>
@@ -1126,6 +1106,26 @@ Details: %2</source>
     <message>
         <source>This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine.</source>
         <translation>Αυτός ο υπολογιστής δεν έχει έξοδο ήχου, οπότε οι συμμετέχοντες θα άκουγαν τη συσκευή. Συνδέστε ακουστικά ή ηχεία ή διεξαγάγετε τη μελέτη σε άλλον υπολογιστή.</translation>
+    </message>
+    <message>
+        <source>The aim is written down.</source>
+        <translation>Ο σκοπός έχει διατυπωθεί.</translation>
+    </message>
+    <message>
+        <source>One participant says nothing about others. Plan more, unless this is a case study.</source>
+        <translation>Ένα μόνο άτομο δεν λέει τίποτα για τα υπόλοιπα. Προγραμματίστε περισσότερα, εκτός αν πρόκειται για μελέτη περίπτωσης.</translation>
+    </message>
+    <message>
+        <source>Simulated observers are still running through the study …</source>
+        <translation>Προσομοιωμένοι παρατηρητές εκτελούν ακόμη τη μελέτη …</translation>
+    </message>
+    <message>
+        <source>With %1 participants, a ratio of %2 between two conditions is detected with 80 % power.</source>
+        <translation>Με %1 συμμετέχοντες ανιχνεύεται λόγος %2 μεταξύ δύο συνθηκών με ισχύ 80 %.</translation>
+    </message>
+    <message>
+        <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
+        <translation>Με τόσο λίγους συμμετέχοντες δεν ανιχνεύεται κανένας λόγος έως 10 μεταξύ δύο συνθηκών.</translation>
     </message>
 </context>
 <context>
@@ -1333,14 +1333,6 @@ Details: %2</source>
         <translation>Τραβήξτε πίσω την πτυχή ιστού με το τρίτο εργαλείο μέχρι η έλξη της να βρεθεί μέσα στη ζώνη</translation>
     </message>
     <message>
-        <source>Holding: the fold and two places of the tube</source>
-        <translation>Κρατά: την πτυχή και δύο σημεία του σωλήνα</translation>
-    </message>
-    <message>
-        <source>Holding: the fold and one place of the tube</source>
-        <translation>Κρατά: την πτυχή και ένα σημείο του σωλήνα</translation>
-    </message>
-    <message>
         <source>Holding: the fold</source>
         <translation>Κρατά: την πτυχή</translation>
     </message>
@@ -1364,6 +1356,14 @@ Details: %2</source>
         <source>Set it down in the middle of the ring, at most %1 mm off, and let go</source>
         <translation>Ακουμπήστε το στο κέντρο του δακτυλίου, με απόκλιση έως %1 mm, και αφήστε το</translation>
     </message>
+    <message>
+        <source>Holding: the fold, and the tube at two points</source>
+        <translation>Κρατά: την πτυχή, και τον σωλήνα σε δύο σημεία</translation>
+    </message>
+    <message>
+        <source>Holding: the fold, and the tube at one point</source>
+        <translation>Κρατά: την πτυχή, και τον σωλήνα σε ένα σημείο</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -1382,6 +1382,29 @@ Details: %2</source>
     <message>
         <source>Keys on this screen</source>
         <translation>Πλήκτρα σε αυτή την οθόνη</translation>
+    </message>
+</context>
+<context>
+    <name>KeyNames</name>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Page Up</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
     </message>
 </context>
 <context>
@@ -1518,10 +1541,6 @@ Details: %2</source>
         <translation>Σωλήνας: μήκος %1 mm, σχίζεται στις %2 φορές του μήκους του</translation>
     </message>
     <message>
-        <source>Surface: a soft organ that gives way</source>
-        <translation>Βάση: ένα μαλακό όργανο που υποχωρεί</translation>
-    </message>
-    <message>
         <source>Hands: two, two fingers each</source>
         <translation>Χέρια: δύο, από δύο δάκτυλα</translation>
     </message>
@@ -1596,6 +1615,10 @@ Details: %2</source>
     <message>
         <source>Goal: lift the object by %1 mm and put it inside the ring</source>
         <translation>Στόχος: ανύψωση του αντικειμένου κατά %1 mm και τοποθέτηση μέσα στον δακτύλιο</translation>
+    </message>
+    <message>
+        <source>Surface: a soft organ that deforms</source>
+        <translation>Βάση: ένα μαλακό όργανο που παραμορφώνεται</translation>
     </message>
 </context>
 <context>
@@ -2308,10 +2331,6 @@ Details: %2</source>
         <translation>για κανένα εύρημα δεν δηλώθηκε βεβαιότητα</translation>
     </message>
     <message>
-        <source>no lump found was given a size</source>
-        <translation>για κανέναν όζο που βρέθηκε δεν δηλώθηκε μέγεθος</translation>
-    </message>
-    <message>
         <source>the level asks for no size</source>
         <translation>το επίπεδο δεν ζητά μέγεθος</translation>
     </message>
@@ -2368,14 +2387,6 @@ Details: %2</source>
         <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
-        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
-    </message>
-    <message>
-        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
-        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, από την καμπή ως 30 mm μετά, όπου η ουρήθρα καμπυλώνει περισσότερο. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
-    </message>
-    <message>
         <source>Apex error</source>
         <translation>Σφάλμα κορυφής</translation>
     </message>
@@ -2406,6 +2417,18 @@ Details: %2</source>
     <message>
         <source>The apex error of somebody who perceives nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
         <translation>Το σφάλμα κορυφής κάποιου που δεν αντιλαμβάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. When the two are in line, the wall near the tip is equally wide all round.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. When the two are in line, the wall near the tip is equally wide all round.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, από την καμπή ως 30 mm μετά, όπου η ουρήθρα καμπυλώνει περισσότερο. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
+    </message>
+    <message>
+        <source>none of the lumps found was given a size</source>
+        <translation>για κανέναν όζο που βρέθηκε δεν δηλώθηκε μέγεθος</translation>
     </message>
 </context>
 <context>
@@ -2757,10 +2780,6 @@ Details: %2</source>
         <translation>Αυτός ο συμμετέχων είναι προσομοιωμένος: οι εκτελέσεις του γίνονται στη γραμμή εντολών.</translation>
     </message>
     <message>
-        <source>Nothing is left to do: this participant has withdrawn. If another is to take their place, enrol somebody.</source>
-        <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων έχει αποσυρθεί. Αν θα πάρει κάποιος άλλος τη θέση του, εγγράψτε κάποιον.</translation>
-    </message>
-    <message>
         <source>Bring the study back from the archive before this participant goes on.</source>
         <translation>Επαναφέρετε τη μελέτη από το αρχείο πριν συνεχίσει αυτός ο συμμετέχων.</translation>
     </message>
@@ -2788,6 +2807,10 @@ Details: %2</source>
         <source>Nothing is left to do: this participant has done everything.</source>
         <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων τα έκανε όλα.</translation>
     </message>
+    <message>
+        <source>Nothing is left to do: this participant has withdrawn. If somebody else is to take their place, enrol that person.</source>
+        <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων έχει αποσυρθεί. Αν θα πάρει κάποιος άλλος τη θέση του, εγγράψτε τον.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -2802,10 +2825,6 @@ Details: %2</source>
     <message>
         <source>In each trial you explore three objects and choose one of three answers.</source>
         <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και επιλέγετε μία από τρεις απαντήσεις.</translation>
-    </message>
-    <message>
-        <source>In each trial you explore one object and choose one of two answers.</source>
-        <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και επιλέγετε μία από δύο απαντήσεις.</translation>
     </message>
     <message>
         <source>In each trial you explore one object and give it a number.</source>
@@ -2879,20 +2898,12 @@ Details: %2</source>
         <translation>Έπειτα τα αντικείμενα εξαφανίζονται και έχετε όσο χρόνο θέλετε για να απαντήσετε.</translation>
     </message>
     <message>
-        <source>Only in practice you are told whether your answer was right.</source>
-        <translation>Μόνο στην εξάσκηση μαθαίνετε αν η απάντησή σας ήταν σωστή.</translation>
-    </message>
-    <message>
         <source>After each trial you are told whether your answer was right.</source>
         <translation>Μετά από κάθε δοκιμή μαθαίνετε αν η απάντησή σας ήταν σωστή.</translation>
     </message>
     <message>
         <source>You are not told whether your answers are right.</source>
         <translation>Δεν μαθαίνετε αν οι απαντήσεις σας είναι σωστές.</translation>
-    </message>
-    <message>
-        <source>Only in practice you are told how far your mark is from the highest point.</source>
-        <translation>Μόνο στην εξάσκηση μαθαίνετε πόσο απέχει το σημείο σας από το ψηλότερο.</translation>
     </message>
     <message>
         <source>After each trial you are told how far your mark is from the highest point.</source>
@@ -2943,13 +2954,6 @@ Details: %2</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
-        <translation>
-            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
-            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
             <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερώτηση για αυτό.</numerusform>
@@ -2978,6 +2982,29 @@ Details: %2</source>
     <message>
         <source>In each trial you change one object until it seems like the other, and confirm.</source>
         <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να σας μοιάζει με το άλλο και επιβεβαιώνετε.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and compare it with the reference, which the experimenter shows you before the trials; you answer yes or no.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και το συγκρίνετε με την αναφορά, που σας δείχνει ο πειραματιστής πριν από τις δοκιμές· απαντάτε με ναι ή όχι.</translation>
+    </message>
+    <message>
+        <source>Where you search for the highest point, the trial ends after these %1 seconds.</source>
+        <translation>Όπου αναζητάτε το ψηλότερο σημείο, η δοκιμή τελειώνει μετά από αυτά τα %1 δευτερόλεπτα.</translation>
+    </message>
+    <message>
+        <source>Only in practice are you told whether your answer was right.</source>
+        <translation>Μόνο στην εξάσκηση μαθαίνετε αν η απάντησή σας ήταν σωστή.</translation>
+    </message>
+    <message>
+        <source>Only in practice are you told how far your mark is from the highest point.</source>
+        <translation>Μόνο στην εξάσκηση μαθαίνετε πόσο απέχει το σημείο σας από το ψηλότερο.</translation>
+    </message>
+    <message numerus="yes">
+        <source>First come %n practice trial(s), which do not count.</source>
+        <translation>
+            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3548,16 +3575,8 @@ Details: %2</source>
         <translation>Δοκιμές ανά επίπεδο</translation>
     </message>
     <message>
-        <source>Each level is presented so often.</source>
-        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές.</translation>
-    </message>
-    <message>
         <source>In random order</source>
         <translation>Με τυχαία σειρά</translation>
-    </message>
-    <message>
-        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
-        <translation>Τα επίπεδα έρχονται σε τυχαία μπλοκ με ένα από το καθένα· αλλιώς με τη σειρά του πίνακα.</translation>
     </message>
     <message>
         <source>Levels</source>
@@ -3578,10 +3597,6 @@ Details: %2</source>
     <message>
         <source>Presentations per level</source>
         <translation>Παρουσιάσεις ανά επίπεδο</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often before it is decided.</source>
-        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές πριν κριθεί.</translation>
     </message>
     <message>
         <source>Right answers to go on</source>
@@ -3608,16 +3623,8 @@ Details: %2</source>
         <translation>Μέγιστος αριθμός δοκιμών</translation>
     </message>
     <message>
-        <source>The run ends after so many trials at the latest.</source>
-        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από τόσες δοκιμές.</translation>
-    </message>
-    <message>
         <source>Reversals until stop</source>
         <translation>Αναστροφές ως το τέλος</translation>
-    </message>
-    <message>
-        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
-        <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζουν μόνο οι δοκιμές.</translation>
     </message>
     <message>
         <source>Minimum trials</source>
@@ -3626,10 +3633,6 @@ Details: %2</source>
     <message>
         <source>The run does not end earlier, however sure the estimate is.</source>
         <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο ασφαλής κι αν είναι η εκτίμηση.</translation>
-    </message>
-    <message>
-        <source>Stop when known within</source>
-        <translation>Τέλος όταν είναι γνωστό έως</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
@@ -3650,22 +3653,6 @@ Details: %2</source>
     <message>
         <source>Where the run begins: large enough to be felt by everybody.</source>
         <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι.</translation>
-    </message>
-    <message>
-        <source>Right answers aimed at</source>
-        <translation>Επιδιωκόμενες σωστές απαντήσεις</translation>
-    </message>
-    <message>
-        <source>The run looks for the difference at which so many answers are right.</source>
-        <translation>Η εκτέλεση αναζητά τη διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
-    </message>
-    <message>
-        <source>Deviation tolerated</source>
-        <translation>Ανεκτή απόκλιση</translation>
-    </message>
-    <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
-        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και είναι ασφαλέστερες.</translation>
     </message>
     <message>
         <source>First step</source>
@@ -3708,20 +3695,12 @@ Details: %2</source>
         <translation>Πού αναμένεται το κατώφλι πριν από την πρώτη απάντηση.</translation>
     </message>
     <message>
-        <source>Uncertainty of it</source>
-        <translation>Αβεβαιότητά του</translation>
-    </message>
-    <message>
         <source>How far off the expectation may be (one standard deviation).</source>
         <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση).</translation>
     </message>
     <message>
         <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
         <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση). Συνήθως × 3.</translation>
-    </message>
-    <message>
-        <source>The threshold is where so many answers are right.</source>
-        <translation>Το κατώφλι βρίσκεται εκεί όπου τόσες απαντήσεις είναι σωστές.</translation>
     </message>
     <message>
         <source>Slope β</source>
@@ -3744,10 +3723,6 @@ Details: %2</source>
         <translation>Σωστές από τύχη</translation>
     </message>
     <message>
-        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
-        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
-    </message>
-    <message>
         <source>Quantile</source>
         <translation>Ποσοστημόριο</translation>
     </message>
@@ -3762,10 +3737,6 @@ Details: %2</source>
     <message>
         <source>Place trials at</source>
         <translation>Τοποθέτηση δοκιμών</translation>
-    </message>
-    <message>
-        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
-        <translation>Ποιο σημείο όσων είναι γνωστά ρωτιέται στη συνέχεια· το ποσοστημόριο είναι το αποδοτικότερο.</translation>
     </message>
     <message>
         <source>QUEST</source>
@@ -3812,16 +3783,8 @@ Details: %2</source>
         <translation>Η μορφή με την οποία θεωρείται ότι αυξάνονται οι σωστές απαντήσεις με τη διαφορά.</translation>
     </message>
     <message>
-        <source>Another function</source>
-        <translation>Άλλη συνάρτηση</translation>
-    </message>
-    <message>
         <source>Same difference in a row</source>
         <translation>Ίδια διαφορά στη σειρά</translation>
-    </message>
-    <message>
-        <source>A difference is shown at most so often in succession; 0: no limit.</source>
-        <translation>Μια διαφορά παρουσιάζεται το πολύ τόσες φορές συνεχόμενα· 0: χωρίς όριο.</translation>
     </message>
     <message>
         <source>Catch trials</source>
@@ -3852,10 +3815,6 @@ Details: %2</source>
         <translation>Ισοπαλίες (σε σ)</translation>
     </message>
     <message>
-        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
-        <translation>Διαφορές κάτω από τις οποίες τα αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης, που θεωρούνται πιθανές.</translation>
-    </message>
-    <message>
         <source>Just noticeable difference</source>
         <translation>Ελάχιστη αντιληπτή διαφορά</translation>
     </message>
@@ -3880,16 +3839,8 @@ Details: %2</source>
         <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
     </message>
     <message>
-        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
-        <translation>Τόσες σωστές απαντήσεις συνεχόμενα δυσκολεύουν την επόμενη δοκιμή· 3 συγκλίνουν περίπου στο 80 % σωστών.</translation>
-    </message>
-    <message>
         <source>Wrong answers for a step up</source>
         <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
-    </message>
-    <message>
-        <source>So many wrong answers in succession make the next trial easier.</source>
-        <translation>Τόσες λανθασμένες απαντήσεις συνεχόμενα διευκολύνουν την επόμενη δοκιμή.</translation>
     </message>
     <message>
         <source>Step down as a share of a step up</source>
@@ -3906,10 +3857,6 @@ Details: %2</source>
     <message>
         <source>Reversals averaged</source>
         <translation>Αναστροφές στον μέσο όρο</translation>
-    </message>
-    <message>
-        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
-        <translation>Η εκτίμηση της ίδιας της κλιμακωτής μεθόδου είναι ο μέσος όρος τόσων τελευταίων αναστροφών· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
     </message>
     <message>
         <source>Steps up</source>
@@ -3934,10 +3881,6 @@ Details: %2</source>
     <message>
         <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
         <translation>Ως την πρώτη αναστροφή αρκεί μία σωστή απάντηση για να δυσκολέψει: η εκτέλεση πλησιάζει νωρίτερα το κατώφλι.</translation>
-    </message>
-    <message>
-        <source>Count anew after each step</source>
-        <translation>Νέα μέτρηση μετά από κάθε βήμα</translation>
     </message>
     <message>
         <source>Right and wrong answers before a step do not count for the next one.</source>
@@ -3966,6 +3909,90 @@ Details: %2</source>
     <message>
         <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
         <translation>Γίνεται δυσκολότερη μετά από σωστές και ευκολότερη μετά από λάθος απαντήσεις. Ανθεκτική και εύκολη στην εξήγηση.</translation>
+    </message>
+    <message>
+        <source>How often each level is presented.</source>
+        <translation>Πόσες φορές παρουσιάζεται κάθε επίπεδο.</translation>
+    </message>
+    <message>
+        <source>Levels come in random order, each once in every block; otherwise in the order of the table.</source>
+        <translation>Τα επίπεδα παρουσιάζονται με τυχαία σειρά, το καθένα μία φορά σε κάθε μπλοκ· αλλιώς με τη σειρά του πίνακα.</translation>
+    </message>
+    <message>
+        <source>How often each level is presented before the run goes on or ends.</source>
+        <translation>Πόσες φορές παρουσιάζεται κάθε επίπεδο πριν η εκτέλεση συνεχίσει ή τελειώσει.</translation>
+    </message>
+    <message>
+        <source>The run ends after this number of trials at the latest.</source>
+        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από αυτόν τον αριθμό δοκιμών.</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed this many times; 0: only the number of trials ends it.</source>
+        <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζει μόνο ο αριθμός των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Stop at this precision</source>
+        <translation>Τέλος με αυτή την ακρίβεια</translation>
+    </message>
+    <message>
+        <source>Target share of right answers</source>
+        <translation>Επιδιωκόμενο ποσοστό σωστών απαντήσεων</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which this share of the answers is right.</source>
+        <translation>Η εκτέλεση αναζητά τη διαφορά στην οποία αυτό το ποσοστό των απαντήσεων είναι σωστό.</translation>
+    </message>
+    <message>
+        <source>Tolerated deviation</source>
+        <translation>Ανεκτή απόκλιση</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and make the decision more reliable.</source>
+        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και κάνουν την απόφαση πιο αξιόπιστη.</translation>
+    </message>
+    <message>
+        <source>Its uncertainty</source>
+        <translation>Αβεβαιότητά του</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which this share of the answers is right.</source>
+        <translation>Το κατώφλι είναι η διαφορά στην οποία αυτό το ποσοστό των απαντήσεων είναι σωστό.</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % with two alternatives.</source>
+        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>Where on the posterior distribution the next trial is placed; the quantile is the most efficient.</source>
+        <translation>Σε ποιο σημείο της εκ των υστέρων κατανομής τοποθετείται η επόμενη δοκιμή· το ποσοστημόριο είναι το αποδοτικότερο.</translation>
+    </message>
+    <message>
+        <source>Change of the function</source>
+        <translation>Αλλαγή της συνάρτησης</translation>
+    </message>
+    <message>
+        <source>How often in succession a difference is shown at most; 0: no limit.</source>
+        <translation>Πόσες φορές το πολύ παρουσιάζεται μια διαφορά συνεχόμενα· 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>Possible limits below which two objects are called equal, in standard deviations of what is felt.</source>
+        <translation>Πιθανά όρια κάτω από τα οποία δύο αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης.</translation>
+    </message>
+    <message>
+        <source>How many right answers in succession make the next trial harder; with 3 the run converges at about 80 % right answers.</source>
+        <translation>Πόσες συνεχόμενες σωστές απαντήσεις δυσκολεύουν την επόμενη δοκιμή· με 3 η εκτέλεση συγκλίνει περίπου στο 80 % σωστών απαντήσεων.</translation>
+    </message>
+    <message>
+        <source>How many wrong answers in succession make the next trial easier.</source>
+        <translation>Πόσες συνεχόμενες λανθασμένες απαντήσεις διευκολύνουν την επόμενη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>How many of the last reversals are averaged for the staircase&apos;s own estimate; the fit uses all trials.</source>
+        <translation>Πόσων από τις τελευταίες αναστροφές ο μέσος όρος δίνει την εκτίμηση της ίδιας της κλιμακωτής μεθόδου· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Start counting again after each step</source>
+        <translation>Νέα καταμέτρηση μετά από κάθε βήμα</translation>
     </message>
 </context>
 <context>
@@ -4423,10 +4450,6 @@ Do you want to replace it?</source>
         <translation>Αυτό είναι αρχείο ZIP. Αποσυμπιέστε το και επιλέξτε το αρχείο CSV που περιέχει.</translation>
     </message>
     <message>
-        <source>this is no text; a CSV file is needed</source>
-        <translation>αυτό δεν είναι κείμενο· χρειάζεται αρχείο CSV</translation>
-    </message>
-    <message>
         <source>some letters cannot be read; save the list as “CSV UTF-8” once more</source>
         <translation>μερικά γράμματα δεν διαβάζονται· αποθηκεύστε ξανά τη λίστα ως «CSV UTF-8»</translation>
     </message>
@@ -4453,10 +4476,6 @@ Do you want to replace it?</source>
     <message>
         <source>has %1 fields, and there are %2 headings; put a value that holds the separator into quotation marks</source>
         <translation>έχει %1 πεδία, ενώ οι επικεφαλίδες είναι %2· βάλτε σε εισαγωγικά μια τιμή που περιέχει το διαχωριστικό</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
-        <translation>το «%1» δεν είναι ρόλος· γράψτε εκπαιδευόμενος, εκπαιδευτής, ερευνητής ή διαχειριστής, με «;» ανάμεσα</translation>
     </message>
     <message>
         <source>a login name is needed</source>
@@ -4520,13 +4539,6 @@ Do you want to replace it?</source>
         <translation>Το όνομα %1 θα γίνει %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more people would get another full name; the table shows them.</source>
-        <translation>
-            <numerusform>%n ακόμη άτομο θα πάρει άλλο ονοματεπώνυμο· φαίνεται στον πίνακα.</numerusform>
-            <numerusform>%n ακόμη άτομα θα πάρουν άλλο ονοματεπώνυμο· φαίνονται στον πίνακα.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
             <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
@@ -4552,6 +4564,21 @@ Do you want to replace it?</source>
     <message>
         <source>Cannot be imported yet</source>
         <translation>Δεν εισάγεται ακόμη</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more people would get a different full name; the table shows them.</source>
+        <translation>
+            <numerusform>%n ακόμη άτομο θα πάρει άλλο ονοματεπώνυμο· φαίνεται στον πίνακα.</numerusform>
+            <numerusform>%n ακόμη άτομα θα πάρουν άλλο ονοματεπώνυμο· φαίνονται στον πίνακα.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>this is not a text file; a CSV file is needed</source>
+        <translation>αυτό δεν είναι αρχείο κειμένου· χρειάζεται αρχείο CSV</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
+        <translation>το «%1» δεν είναι ρόλος· γράψτε εκπαιδευόμενος, εκπαιδευτής, ερευνητής ή διαχειριστής, με «;» ανάμεσα</translation>
     </message>
 </context>
 <context>
@@ -5142,7 +5169,7 @@ Do you want to replace it?</source>
         <translation>Αποτυχία. %1</translation>
     </message>
     <message>
-        <source>not told by the device</source>
+        <source>not reported by the device</source>
         <translation>δεν δηλώνεται από τη συσκευή</translation>
     </message>
 </context>
@@ -5286,12 +5313,6 @@ Do you want to replace it?</source>
         <translation>Τα αυτόματα αντίγραφα ασφαλείας είναι απενεργοποιημένα. Όσα καταγράφονται προστατεύονται μόνο από αντίγραφα που δημιουργείτε εσείς.</translation>
     </message>
     <message>
-        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
-Details: %2</source>
-        <translation>Το αυτόματο αντίγραφο ασφαλείας (%1) δεν δημιουργήθηκε. Θα γίνει νέα προσπάθεια· ως τότε δημιουργήστε ένα εσείς.
-Λεπτομέρειες: %2</translation>
-    </message>
-    <message>
         <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
         <translation>Το πρώτο αυτόματο αντίγραφο ασφαλείας δημιουργείται όταν κανείς δεν έχει χρησιμοποιήσει το πρόγραμμα για λίγα λεπτά ή όταν το πρόγραμμα κλείνει.</translation>
     </message>
@@ -5302,6 +5323,12 @@ Details: %2</source>
     <message>
         <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
         <translation>Τα αντίγραφα ασφαλείας βρίσκονται στον ίδιο δίσκο με το κέντρο: αν χαλάσει ο δίσκος, χάνονται και τα δύο. Επιλέξτε φάκελο σε άλλον δίσκο, σε μονάδα USB ή στο δίκτυο.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It will be tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Το αυτόματο αντίγραφο ασφαλείας (%1) δεν δημιουργήθηκε. Θα γίνει νέα προσπάθεια· ως τότε δημιουργήστε ένα εσείς.
+Λεπτομέρειες: %2</translation>
     </message>
 </context>
 <context>
@@ -5327,10 +5354,6 @@ Details: %2</source>
         <translation>Πίεση</translation>
     </message>
     <message>
-        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
-        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up ανεβαίνει.</translation>
-    </message>
-    <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
         <translation>Πιέστε την άκρη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
     </message>
@@ -5345,10 +5368,6 @@ Details: %2</source>
     <message>
         <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
         <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο και μετά Enter. Το Backspace αναιρεί το τελευταίο.</translation>
-    </message>
-    <message>
-        <source>Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.</source>
-        <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο, = πριν από ένα ίσο με το τελευταίο, και μετά Enter. Το Backspace αναιρεί.</translation>
     </message>
     <message>
         <source>Press 1 for the same, 2 for different.</source>
@@ -5375,10 +5394,6 @@ Details: %2</source>
         <translation>Απάντηση</translation>
     </message>
     <message>
-        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
-        <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν απαντά σε τίποτα.</translation>
-    </message>
-    <message>
         <source>%1 The answers can be clicked as well.</source>
         <translation>%1 Μπορείτε επίσης να κάνετε κλικ στις απαντήσεις.</translation>
     </message>
@@ -5391,16 +5406,28 @@ Details: %2</source>
         <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
     </message>
     <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring, then raise it.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
-    </message>
-    <message>
         <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
         <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο και μετά σηκώστε την.</translation>
     </message>
     <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Πατήστε + και − μέχρι να σας μοιάζουν και τα δύο ίδια, και μετά Enter.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up. To let go, lower the tool well below the ring, then raise it.</source>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για να τραβήξετε, κυλήστε τον μακριά σας ή κρατήστε το Page Up. Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
+        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για ανέβασμα κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, with = before one that equals the last, then Enter. Backspace takes the last one back.</source>
+        <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο, με = πριν από ένα ίσο με το τελευταίο, και μετά Enter. Το Backspace αναιρεί το τελευταίο.</translation>
+    </message>
+    <message>
+        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
+        <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν μετράει ως απάντηση.</translation>
     </message>
 </context>
 <context>
@@ -5937,13 +5964,6 @@ Details: %2</source>
         <translation>
             <numerusform>%n σημείο βρίσκεται εκτός της σφαίρας.</numerusform>
             <numerusform>%n σημεία βρίσκονται εκτός της σφαίρας.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
-        <translation>
-            <numerusform>%n σημείο προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
-            <numerusform>%n σημεία προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6579,10 +6599,6 @@ Details: %2</source>
         <translation>%1: δεν περιλαμβάνεται σε αυτή τη σύγκριση, που γίνεται ανάμεσα σε δύο ομάδες, ενώ ο κωδικός %1 έχει τιμή και στη «%2» και στη «%3».</translation>
     </message>
     <message>
-        <source>Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της περιορίζουν την τιμή της προς τα κάτω και προς τα πάνω, όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. Εξαιρούνται, από τις ομάδες όπως και από τις συγκρίσεις, εκτελέσεις που οι απαντήσεις τους δεν περιορίζουν την τιμή ή δεν δίνουν καμία, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
-    </message>
-    <message>
         <source>%1 in both</source>
         <translation>%1 και στις δύο</translation>
     </message>
@@ -6597,6 +6613,17 @@ Details: %2</source>
     <message>
         <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
         <translation>Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δίνεται μόνο όπου τα ίδια άτομα απάντησαν και στις δύο και οι απαντήσεις δεν επέλεξαν τις διαφορές: μετά από προσαρμοστικές εκτελέσεις η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers bound its value from below and from above, whatever other warnings it has and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της περιορίζουν την τιμή της προς τα κάτω και προς τα πάνω, όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. Εξαιρούνται, από τις ομάδες όπως και από τις συγκρίσεις, εκτελέσεις που οι απαντήσεις τους δεν περιορίζουν την τιμή ή δεν δίνουν καμία, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n σημείο προέρχεται από προσομοιωμένο παρατηρητή: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημεία προέρχονται από προσομοιωμένο παρατηρητή: τίποτα δεν αποδόθηκε.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6711,10 +6738,6 @@ Details: %2</source>
     <message>
         <source>Are two objects the same or different?</source>
         <translation>Είναι δύο αντικείμενα ίδια ή διαφορετικά;</translation>
-    </message>
-    <message>
-        <source>Does an object have more of the attribute than the reference explored before it?</source>
-        <translation>Είναι η ιδιότητα ενός αντικειμένου εντονότερη από της αναφοράς που εξερευνήθηκε πριν;</translation>
     </message>
     <message>
         <source>One object is adjusted until it feels like the other.</source>
@@ -6897,14 +6920,6 @@ Details: %2</source>
         <translation>πιο δύσκαμπτο</translation>
     </message>
     <message>
-        <source>The design was changed since. Undo in the study takes back one step after another.</source>
-        <translation>Το σχέδιο άλλαξε στο μεταξύ. Η «Αναίρεση» στη μελέτη αναιρεί τα βήματα ένα προς ένα.</translation>
-    </message>
-    <message>
-        <source>The study was left since, so this can no longer be undone.</source>
-        <translation>Στο μεταξύ φύγατε από τη μελέτη, γι&apos; αυτό η αναίρεση δεν είναι πλέον δυνατή.</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Αναίρεση</translation>
     </message>
@@ -6921,12 +6936,24 @@ Details: %2</source>
         <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα σας μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
     <message>
-        <source>Change the right one until both seem the same.</source>
-        <translation>Αλλάξτε το δεξί ώσπου τα δύο να σας μοιάζουν ίδια.</translation>
-    </message>
-    <message>
         <source>Give a number to what you perceive. Any positive number is allowed.</source>
         <translation>Δώστε έναν αριθμό σε αυτό που αντιλαμβάνεστε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
+    </message>
+    <message>
+        <source>The design has been changed since then. Undo in the study takes back one step after another.</source>
+        <translation>Το σχέδιο άλλαξε στο μεταξύ. Η «Αναίρεση» στη μελέτη αναιρεί τα βήματα ένα προς ένα.</translation>
+    </message>
+    <message>
+        <source>You have left the study since then, so this can no longer be undone.</source>
+        <translation>Στο μεταξύ φύγατε από τη μελέτη, γι&apos; αυτό η αναίρεση δεν είναι πλέον δυνατή.</translation>
+    </message>
+    <message>
+        <source>Does an object have more of the attribute than the reference? Trials present the object alone: show participants the reference before they begin.</source>
+        <translation>Είναι η ιδιότητα ενός αντικειμένου εντονότερη από της αναφοράς; Οι δοκιμές παρουσιάζουν μόνο το αντικείμενο: δείξτε στους συμμετέχοντες την αναφορά πριν αρχίσουν.</translation>
+    </message>
+    <message>
+        <source>Change object 2 until both seem the same.</source>
+        <translation>Αλλάξτε το αντικείμενο 2 ώσπου τα δύο να σας μοιάζουν ίδια.</translation>
     </message>
 </context>
 <context>
@@ -6952,20 +6979,20 @@ Details: %2</source>
         <translation>ο χρόνος εξερεύνησης είναι περιορισμένος</translation>
     </message>
     <message>
-        <source>the task has another number of objects</source>
+        <source>The text says “%1” (%2), but %3. Change one of them.</source>
+        <translation>Το κείμενο λέει «%1» (%2), αλλά %3. Αλλάξτε ένα από τα δύο.</translation>
+    </message>
+    <message>
+        <source>the task has a different number of objects</source>
         <translation>το έργο έχει άλλον αριθμό αντικειμένων</translation>
     </message>
     <message>
-        <source>another number of trials is set</source>
+        <source>a different number of trials is set</source>
         <translation>έχει οριστεί άλλος αριθμός δοκιμών</translation>
     </message>
     <message>
-        <source>another time is set</source>
+        <source>a different time is set</source>
         <translation>έχει οριστεί άλλος χρόνος</translation>
-    </message>
-    <message>
-        <source>The text says “%1” (%2), but %3. Change one of them.</source>
-        <translation>Το κείμενο λέει «%1» (%2), αλλά %3. Αλλάξτε ένα από τα δύο.</translation>
     </message>
 </context>
 <context>
@@ -7098,10 +7125,6 @@ Details: %2</source>
         <translation>Ολοκληρώθηκε</translation>
     </message>
     <message>
-        <source>This level has no pass mark. Everything below is for you to compare.</source>
-        <translation>Αυτό το επίπεδο δεν έχει όριο επιτυχίας. Όλα τα παρακάτω είναι για δική σας σύγκριση.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Επιτυχία</translation>
     </message>
@@ -7218,10 +7241,6 @@ Recording and scores are kept but do not count.</source>
         <translation>Από την προηγούμενη προσπάθειά σας: %1</translation>
     </message>
     <message>
-        <source>Since the attempt before: %1</source>
-        <translation>Από την προηγούμενη προσπάθεια: %1</translation>
-    </message>
-    <message>
         <source>%1 percentage points</source>
         <translation>%1 ποσοστιαίες μονάδες</translation>
     </message>
@@ -7236,6 +7255,14 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>%1 What was recorded can be played back.</source>
         <translation>%1 Όσα καταγράφηκαν μπορούν να αναπαραχθούν.</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark. The values below are for comparison only.</source>
+        <translation>Αυτό το επίπεδο δεν έχει όριο επιτυχίας. Οι παρακάτω τιμές είναι μόνο για σύγκριση.</translation>
+    </message>
+    <message>
+        <source>Since the previous attempt: %1</source>
+        <translation>Από την προηγούμενη προσπάθεια: %1</translation>
     </message>
 </context>
 <context>
@@ -7269,10 +7296,6 @@ Recording and scores are kept but do not count.</source>
         <translation>Όπως σε αυτόν τον σταθμό</translation>
     </message>
     <message>
-        <source>It comes back whenever you log in on this station and changes nothing for others.</source>
-        <translation>Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.</translation>
-    </message>
-    <message>
         <source>Password</source>
         <translation>Κωδικός πρόσβασης</translation>
     </message>
@@ -7303,10 +7326,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>Saving …</source>
         <translation>Αποθήκευση …</translation>
-    </message>
-    <message>
-        <source>You are now shown with your login name alone.</source>
-        <translation>Εμφανίζεστε πλέον μόνο με το όνομα χρήστη σας.</translation>
     </message>
     <message>
         <source>Your name is now %1.</source>
@@ -7345,26 +7364,6 @@ Recording and scores are kept but do not count.</source>
         <translation>Όνομα χρήστη: %1. Μπορείτε να το αλλάξετε στην οθόνη «Άτομα».</translation>
     </message>
     <message>
-        <source>Your own name, language and password.
-
-The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
-
-The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
-
-To change your password, first enter the one that you have now.
-
-Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
-        <translation>Το όνομά σας, η γλώσσα και ο κωδικός πρόσβασής σας.
-
-Το πλήρες όνομα το βλέπουν οι άλλοι σε λίστες και αναφορές· τα προηγούμενα ονόματά σας μένουν στο ιστορικό του κέντρου. Το όνομα χρήστη μπορεί να το αλλάξει ένας διαχειριστής.
-
-Η γλώσσα ισχύει αμέσως. Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.
-
-Για να αλλάξετε τον κωδικό πρόσβασης, γράψτε πρώτα τον τωρινό.
-
-Οι διαχειριστές μπορούν να δημιουργήσουν εδώ τον δικό τους κωδικό ανάκτησης· με αυτόν ορίζουν νέο κωδικό πρόσβασης αν ξεχάσουν τον δικό τους.</translation>
-    </message>
-    <message>
         <source>Recovery code</source>
         <translation>Κωδικός ανάκτησης</translation>
     </message>
@@ -7389,6 +7388,34 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>You have none yet. Without it, only another administrator can help you if you forget your password.</source>
         <translation>Δεν έχετε ακόμη κωδικό ανάκτησης. Χωρίς αυτόν, αν ξεχάσετε τον κωδικό πρόσβασης, μπορεί να σας βοηθήσει μόνο άλλος διαχειριστής.</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It is used whenever you log in on this station, and changes nothing for others.
+
+To change your password, first enter the one that you have now.
+
+Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
+        <translation>Το όνομά σας, η γλώσσα και ο κωδικός πρόσβασής σας.
+
+Το πλήρες όνομα το βλέπουν οι άλλοι σε λίστες και αναφορές· τα προηγούμενα ονόματά σας μένουν στο ιστορικό του κέντρου. Το όνομα χρήστη μπορεί να το αλλάξει ένας διαχειριστής.
+
+Η γλώσσα ισχύει αμέσως. Ισχύει κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.
+
+Για να αλλάξετε τον κωδικό πρόσβασης, γράψτε πρώτα τον τωρινό.
+
+Οι διαχειριστές μπορούν να δημιουργήσουν εδώ τον δικό τους κωδικό ανάκτησης· με αυτόν ορίζουν νέο κωδικό πρόσβασης αν ξεχάσουν τον δικό τους.</translation>
+    </message>
+    <message>
+        <source>It is used whenever you log in on this station, and changes nothing for others.</source>
+        <translation>Ισχύει κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.</translation>
+    </message>
+    <message>
+        <source>Others now see only your login name.</source>
+        <translation>Οι άλλοι βλέπουν πλέον μόνο το όνομα χρήστη σας.</translation>
     </message>
 </context>
 <context>
@@ -7727,14 +7754,14 @@ Administrators can make a recovery code for themselves here; with it they can se
 <context>
     <name>chiron::desktop::BackupKeeper</name>
     <message>
-        <source>The automatic backup was not made; it is tried again.
+        <source>Open storage</source>
+        <translation>Άνοιγμα φύλαξης δεδομένων</translation>
+    </message>
+    <message>
+        <source>The automatic backup was not made; it will be tried again.
 %1</source>
         <translation>Το αυτόματο αντίγραφο ασφαλείας δεν δημιουργήθηκε· θα γίνει νέα προσπάθεια.
 %1</translation>
-    </message>
-    <message>
-        <source>Open storage</source>
-        <translation>Άνοιγμα φύλαξης δεδομένων</translation>
     </message>
 </context>
 <context>
@@ -7759,14 +7786,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>πρέπει να διορθωθεί</translation>
     </message>
     <message>
-        <source>being found out</source>
-        <translation>υπολογίζεται</translation>
-    </message>
-    <message>
-        <source>What is looked at before freezing</source>
-        <translation>Τι ελέγχεται πριν από την οριστικοποίηση</translation>
-    </message>
-    <message>
         <source>%1, %2: %3</source>
         <translation>%1, %2: %3</translation>
     </message>
@@ -7777,6 +7796,14 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Show %1</source>
         <translation>Εμφάνιση: %1</translation>
+    </message>
+    <message>
+        <source>being calculated</source>
+        <translation>υπολογίζεται</translation>
+    </message>
+    <message>
+        <source>What is checked before freezing</source>
+        <translation>Τι ελέγχεται πριν από την οριστικοποίηση</translation>
     </message>
 </context>
 <context>
@@ -8058,9 +8085,9 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Υποβολή</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still on this page.
+        <source>The answers were not stored. They are still on this page: press Submit again, and call the experimenter if that does not help.
 %1</source>
-        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα.
+        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα: πατήστε ξανά «Υποβολή» και καλέστε τον πειραματιστή αν αυτό δεν βοηθήσει.
 %1</translation>
     </message>
 </context>
@@ -8095,20 +8122,12 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Ιδιότητα</translation>
     </message>
     <message>
-        <source>Another attribute</source>
-        <translation>Άλλη ιδιότητα</translation>
-    </message>
-    <message>
         <source>Reference</source>
         <translation>Αναφορά</translation>
     </message>
     <message>
         <source>Task</source>
         <translation>Έργο</translation>
-    </message>
-    <message>
-        <source>Another task</source>
-        <translation>Άλλο έργο</translation>
     </message>
     <message>
         <source>Criterion</source>
@@ -8129,14 +8148,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>Scale of the procedure</source>
         <translation>Κλίμακα της διαδικασίας</translation>
-    </message>
-    <message>
-        <source>Interleave one more</source>
-        <translation>Μία ακόμη εναλλάξ</translation>
-    </message>
-    <message>
-        <source>Remove the last</source>
-        <translation>Αφαίρεση τελευταίας</translation>
     </message>
     <message>
         <source>Remove a procedure</source>
@@ -8179,10 +8190,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Τι αναζητείται</translation>
     </message>
     <message>
-        <source>What the objects differ in, and nothing else.</source>
-        <translation>Σε τι διαφέρουν τα αντικείμενα, και σε τίποτε άλλο.</translation>
-    </message>
-    <message>
         <source>What the condition is called in tables and figures. Participants never see it.</source>
         <translation>Πώς ονομάζεται η συνθήκη σε πίνακες και γραφήματα. Οι συμμετέχοντες δεν το βλέπουν ποτέ.</translation>
     </message>
@@ -8205,10 +8212,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>Threshold at</source>
         <translation>Κατώφλι στο</translation>
-    </message>
-    <message>
-        <source>The threshold is the difference at which so many answers are right.</source>
-        <translation>Το κατώφλι είναι η διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
     </message>
     <message>
         <source>The differences from the reference that a procedure may choose from.</source>
@@ -8239,12 +8242,36 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Η συνθήκη «%1» αφαιρέθηκε.</translation>
     </message>
     <message>
-        <source>Lower-case letters, digits and _ only; each condition has another. It follows the English title until somebody types another.</source>
+        <source>The last procedure of this condition was removed.</source>
+        <translation>Η τελευταία διαδικασία αυτής της συνθήκης αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>Change of the attribute</source>
+        <translation>Αλλαγή της ιδιότητας</translation>
+    </message>
+    <message>
+        <source>The only property in which the objects differ.</source>
+        <translation>Η μόνη ιδιότητα στην οποία διαφέρουν τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition needs a different one. It follows the English title until somebody types a name.</source>
         <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό. Ακολουθεί τον αγγλικό τίτλο, ώσπου να πληκτρολογηθεί άλλο.</translation>
     </message>
     <message>
-        <source>The last procedure of this condition was removed.</source>
-        <translation>Η τελευταία διαδικασία αυτής της συνθήκης αφαιρέθηκε.</translation>
+        <source>Change of the task</source>
+        <translation>Αλλαγή του έργου</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which this share of the answers is right.</source>
+        <translation>Το κατώφλι είναι η διαφορά στην οποία αυτό το ποσοστό των απαντήσεων είναι σωστό.</translation>
+    </message>
+    <message>
+        <source>Interleave another procedure</source>
+        <translation>Προσθήκη διαδικασίας εναλλάξ</translation>
+    </message>
+    <message>
+        <source>Remove the last procedure</source>
+        <translation>Αφαίρεση της τελευταίας διαδικασίας</translation>
     </message>
 </context>
 <context>
@@ -8260,10 +8287,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>I have read this and I agree</source>
         <translation>Το διάβασα και συμφωνώ</translation>
-    </message>
-    <message>
-        <source>The time and the text&apos;s SHA-256 are recorded. Participants may withdraw at any time.</source>
-        <translation>Καταγράφονται η ώρα και το SHA-256 του κειμένου. Όποιος συμμετέχει μπορεί να αποσυρθεί οποτεδήποτε.</translation>
     </message>
     <message>
         <source>Record the consent</source>
@@ -8286,6 +8309,10 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>Instructions</source>
         <translation>Οδηγίες</translation>
+    </message>
+    <message>
+        <source>The time is recorded, and a checksum (SHA-256) that shows which text you have read. You may withdraw at any time.</source>
+        <translation>Καταγράφονται η ώρα και ένα άθροισμα ελέγχου (SHA-256) που δείχνει ποιο κείμενο διαβάσατε. Μπορείτε να αποσυρθείτε οποτεδήποτε.</translation>
     </message>
 </context>
 <context>
@@ -8327,8 +8354,8 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Τέλος εξάσκησης</translation>
     </message>
     <message>
-        <source>Go on to what counts; its card comes first.</source>
-        <translation>Συνεχίστε σε ό,τι μετράει· πρώτα εμφανίζονται οι οδηγίες.</translation>
+        <source>Go on to the trials that count. Their card is shown first.</source>
+        <translation>Συνεχίστε στις δοκιμές που μετράνε. Πρώτα εμφανίζονται οι οδηγίες.</translation>
     </message>
 </context>
 <context>
@@ -8863,10 +8890,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>No participant who has withdrawn waits to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
-        <translation>Κανένας συμμετέχων που αποσύρθηκε δεν περιμένει διαγραφή. Οι ερευνητές αποσύρουν συμμετέχοντες στην οθόνη «Διεξαγωγή» της μελέτης.</translation>
-    </message>
-    <message>
         <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
         <translation>Αντικαθίστανται: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια, τα σχόλια στις συνεδρίες του και, όπως ζήτησε, οι καταγραφές. Διατηρούνται με τον κωδικό: εκτελέσεις και δοκιμές.</translation>
     </message>
@@ -8885,6 +8908,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
         <translation>Εδώ διαγράφεται ποιος βρίσκεται πίσω από τον κωδικό σε μία μελέτη· ένας λογαριασμός του ίδιου προσώπου παραμένει. Για να διαγράψετε λογαριασμό, επιλέξτε το πρόσωπο στον κατάλογο και πατήστε «Διαγραφή στοιχείων».</translation>
+    </message>
+    <message>
+        <source>No participant who has withdrawn is waiting to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
+        <translation>Κανένας συμμετέχων που αποσύρθηκε δεν περιμένει διαγραφή. Οι ερευνητές αποσύρουν συμμετέχοντες στην οθόνη «Διεξαγωγή» της μελέτης.</translation>
     </message>
 </context>
 <context>
@@ -8927,14 +8954,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 <context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
-        <source>Passed, felt and shown</source>
-        <translation>Επιτυχία, με αφή και προβολή</translation>
-    </message>
-    <message>
-        <source>Passed by touch</source>
-        <translation>Επιτυχία με την αφή</translation>
-    </message>
-    <message>
         <source>Passed with shown force</source>
         <translation>Επιτυχία με προβολή δύναμης</translation>
     </message>
@@ -8960,6 +8979,14 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1 · next step</source>
         <translation>%1 · επόμενο βήμα</translation>
+    </message>
+    <message>
+        <source>Passed with felt and with shown force</source>
+        <translation>Επιτυχία με αισθητή δύναμη και με προβολή</translation>
+    </message>
+    <message>
+        <source>Passed with felt force</source>
+        <translation>Επιτυχία με αισθητή δύναμη</translation>
     </message>
 </context>
 <context>
@@ -9476,12 +9503,12 @@ Press again to end the trial without it.</source>
         <translation>Οριστικοποιήθηκε. Τώρα μπορούν να εγγραφούν συμμετέχοντες.</translation>
     </message>
     <message>
-        <source>What is marked in red must be corrected first: after freezing nobody can.</source>
-        <translation>Όσα σημειώνονται με κόκκινο πρέπει πρώτα να διορθωθούν: μετά την οριστικοποίηση δεν μπορεί κανείς.</translation>
-    </message>
-    <message>
         <source>I have seen what is worth a look and freeze it all the same</source>
         <translation>Είδα όσα χρειάζονται προσοχή και οριστικοποιώ παρ’ όλα αυτά</translation>
+    </message>
+    <message>
+        <source>What is marked in red must be corrected first: after freezing, nobody can change it.</source>
+        <translation>Όσα σημειώνονται με κόκκινο πρέπει πρώτα να διορθωθούν: μετά την οριστικοποίηση δεν μπορεί να τα αλλάξει κανείς.</translation>
     </message>
 </context>
 <context>
@@ -9497,14 +9524,6 @@ Press again to end the trial without it.</source>
     <message>
         <source>Aim</source>
         <translation>Σκοπός</translation>
-    </message>
-    <message>
-        <source>What the study goes by in lists, reports and exports.</source>
-        <translation>Πώς ονομάζεται η μελέτη σε λίστες, αναφορές και εξαγωγές.</translation>
-    </message>
-    <message>
-        <source>How many people are to take part; Preview shows what so many can find out.</source>
-        <translation>Πόσα άτομα θα συμμετάσχουν· η προεπισκόπηση δείχνει τι μπορούν να δείξουν τόσα.</translation>
     </message>
     <message>
         <source>Source of the design</source>
@@ -9553,6 +9572,14 @@ Press again to end the trial without it.</source>
     <message>
         <source>Consent text (required)</source>
         <translation>Κείμενο συγκατάθεσης (υποχρεωτικό)</translation>
+    </message>
+    <message>
+        <source>The study&apos;s name in lists, reports and exports.</source>
+        <translation>Το όνομα της μελέτης σε λίστες, αναφορές και εξαγωγές.</translation>
+    </message>
+    <message>
+        <source>How many people are to take part; Preview shows which difference this number can detect.</source>
+        <translation>Πόσα άτομα θα συμμετάσχουν· η προεπισκόπηση δείχνει ποια διαφορά ανιχνεύεται με αυτόν τον αριθμό.</translation>
     </message>
 </context>
 <context>
@@ -10077,10 +10104,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         </translation>
     </message>
     <message>
-        <source>Everything is reviewed. Of each level, a trainee&apos;s latest attempt will appear here.</source>
-        <translation>Όλα έχουν αξιολογηθεί. Από κάθε επίπεδο θα εμφανίζεται εδώ η τελευταία προσπάθεια του εκπαιδευομένου.</translation>
-    </message>
-    <message>
         <source>List of sessions to review</source>
         <translation>Λίστα συνεδριών προς αξιολόγηση</translation>
     </message>
@@ -10102,6 +10125,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>Progress of the group</source>
         <translation>Πρόοδος της ομάδας</translation>
+    </message>
+    <message>
+        <source>Everything is reviewed. A trainee&apos;s latest attempt at each level will appear here.</source>
+        <translation>Όλα έχουν αξιολογηθεί. Εδώ θα εμφανίζεται η τελευταία προσπάθεια του εκπαιδευομένου σε κάθε επίπεδο.</translation>
     </message>
 </context>
 <context>
@@ -10678,7 +10705,7 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Nobody of this name can log in here. Ask an administrator; your login name may have changed.</source>
+        <source>Nobody with this name can log in here. Ask an administrator; your login name may have changed.</source>
         <translation>Κανείς με αυτό το όνομα δεν μπορεί να συνδεθεί εδώ. Ρωτήστε έναν διαχειριστή· το όνομα χρήστη σας μπορεί να έχει αλλάξει.</translation>
     </message>
 </context>
@@ -11341,10 +11368,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Διαγραφή συμμετέχοντα …</translation>
     </message>
     <message>
-        <source>Nobody is found</source>
-        <translation>Δεν βρέθηκε κανείς</translation>
-    </message>
-    <message>
         <source>No name and no role matches &quot;%1&quot;.</source>
         <translation>Κανένα όνομα και κανένας ρόλος δεν ταιριάζει με «%1».</translation>
     </message>
@@ -11363,6 +11386,10 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Permanently removes the identity of the person who is chosen in the list.</source>
         <translation>Αφαιρεί οριστικά την ταυτότητα του ατόμου που είναι επιλεγμένο στη λίστα.</translation>
+    </message>
+    <message>
+        <source>Nobody was found</source>
+        <translation>Δεν βρέθηκε κανείς</translation>
     </message>
 </context>
 <context>
@@ -11435,7 +11462,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Εσωτερικός θόρυβος</translation>
     </message>
     <message>
-        <source>How much one and the same object feels different from time to time (one standard deviation).</source>
+        <source>How much the same object feels different from one time to the next (one standard deviation).</source>
         <translation>Πόσο διαφορετικό γίνεται αισθητό το ίδιο αντικείμενο από φορά σε φορά (μία τυπική απόκλιση).</translation>
     </message>
 </context>
@@ -12098,14 +12125,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>κανένας έως × 10</translation>
     </message>
     <message>
-        <source>smallest ratio detectable with %1 power by %2 participants who do both conditions</source>
-        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 από %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
-    </message>
-    <message>
-        <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
-        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 από δύο ομάδες των %2 συμμετεχόντων</translation>
-    </message>
-    <message>
         <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
         <translation>Το πόσο καλά βρίσκεται μια κορυφή προγραμματίζεται με τη δημοσιευμένη διασπορά των σημείων: %1 της ακτίνας ανά άξονα.</translation>
     </message>
@@ -12114,32 +12133,12 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Πόσο μικρή διαφορά αισθάνονται, ως ποσοστό της αναφοράς.</translation>
     </message>
     <message>
-        <source>Share of their answers that are careless.</source>
-        <translation>Ποσοστό των απρόσεκτων απαντήσεών τους.</translation>
-    </message>
-    <message>
-        <source>Differences below it they call equal, in standard deviations of what they feel.</source>
-        <translation>Μικρότερες διαφορές τις θεωρούν ίσες· σε τυπικές αποκλίσεις όσων αισθάνονται.</translation>
-    </message>
-    <message>
-        <source>More runs take longer, and their figures are surer.</source>
-        <translation>Περισσότερες εκτελέσεις διαρκούν περισσότερο και δίνουν ασφαλέστερους αριθμούς.</translation>
-    </message>
-    <message>
-        <source>Else each person does one of them.</source>
-        <translation>Διαφορετικά κάθε άτομο κάνει μία από αυτές.</translation>
-    </message>
-    <message>
         <source>How many people are compared.</source>
         <translation>Πόσα άτομα συγκρίνονται.</translation>
     </message>
     <message>
         <source>How often a difference may be found where there is none.</source>
         <translation>Πόσο συχνά επιτρέπεται να βρεθεί διαφορά εκεί που δεν υπάρχει.</translation>
-    </message>
-    <message>
-        <source>How often a difference that is there is to be found.</source>
-        <translation>Πόσο συχνά πρέπει να βρίσκεται μια υπαρκτή διαφορά.</translation>
     </message>
     <message>
         <source>spread of one mark along an axis, as published</source>
@@ -12176,16 +12175,40 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>How much people vary: 40 % is a factor of 1.4.</source>
         <translation>Πόσο διαφέρουν τα άτομα: το 40 % είναι συντελεστής 1,4.</translation>
     </message>
+    <message>
+        <source>Share of their answers that is careless.</source>
+        <translation>Ποσοστό των απρόσεκτων απαντήσεών τους.</translation>
+    </message>
+    <message>
+        <source>They call smaller differences equal; in standard deviations of what they feel.</source>
+        <translation>Μικρότερες διαφορές τις θεωρούν ίσες· σε τυπικές αποκλίσεις όσων αισθάνονται.</translation>
+    </message>
+    <message>
+        <source>More runs take longer and give more precise figures.</source>
+        <translation>Περισσότερες εκτελέσεις διαρκούν περισσότερο και δίνουν ακριβέστερους αριθμούς.</translation>
+    </message>
+    <message>
+        <source>Otherwise each person does one of them.</source>
+        <translation>Διαφορετικά κάθε άτομο κάνει μία από αυτές.</translation>
+    </message>
+    <message>
+        <source>How often an existing difference should be found.</source>
+        <translation>Πόσο συχνά πρέπει να βρίσκεται μια υπαρκτή διαφορά.</translation>
+    </message>
+    <message>
+        <source>smallest ratio detectable with %1 power and %2 participants who do both conditions</source>
+        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 και %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
+    </message>
+    <message>
+        <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
+        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 και δύο ομάδες των %2 συμμετεχόντων</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
     <message>
         <source>Procedure</source>
         <translation>Διαδικασία</translation>
-    </message>
-    <message>
-        <source>Another procedure</source>
-        <translation>Άλλη διαδικασία</translation>
     </message>
     <message>
         <source>Change of the procedure</source>
@@ -12208,10 +12231,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Δοκιμές</translation>
     </message>
     <message>
-        <source>How often a participant looks for the apex.</source>
-        <translation>Πόσες φορές αναζητά ένα άτομο την κορυφή.</translation>
-    </message>
-    <message>
         <source>Threshold</source>
         <translation>Κατώφλι</translation>
     </message>
@@ -12226,14 +12245,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>Spreads of the answers between these are considered possible.</source>
         <translation>Διασπορές των απαντήσεων μεταξύ αυτών θεωρούνται πιθανές.</translation>
-    </message>
-    <message>
-        <source>Shares of wrong answers although the difference is felt that are considered possible.</source>
-        <translation>Ποσοστά λανθασμένων απαντήσεων παρά την αισθητή διαφορά που θεωρούνται πιθανά.</translation>
-    </message>
-    <message>
-        <source>Share of answers that are right by guessing: 50 % of two alternatives.</source>
-        <translation>Ποσοστό σωστών απαντήσεων από τύχη: 50 % με δύο εναλλακτικές.</translation>
     </message>
     <message>
         <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
@@ -12252,10 +12263,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>%1: έως</translation>
     </message>
     <message>
-        <source>The largest that is considered possible.</source>
-        <translation>Η μεγαλύτερη τιμή που θεωρείται πιθανή.</translation>
-    </message>
-    <message>
         <source>%1: steps</source>
         <translation>%1: βήματα</translation>
     </message>
@@ -12264,8 +12271,28 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
     </message>
     <message>
-        <source>The largest. An imported design spaced these values irregularly; a change spaces them regularly.</source>
-        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές ακανόνιστα· μια αλλαγή τις κατανέμει κανονικά.</translation>
+        <source>Choice of the procedure</source>
+        <translation>Επιλογή της διαδικασίας</translation>
+    </message>
+    <message>
+        <source>How many times each participant searches for the apex.</source>
+        <translation>Πόσες φορές αναζητά κάθε άτομο την κορυφή.</translation>
+    </message>
+    <message>
+        <source>Possible shares of wrong answers to differences that are felt.</source>
+        <translation>Πιθανά ποσοστά λανθασμένων απαντήσεων σε διαφορές που γίνονται αισθητές.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right by guessing: 50 % with two alternatives.</source>
+        <translation>Ποσοστό σωστών απαντήσεων από τύχη: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>The largest value that is considered possible.</source>
+        <translation>Η μεγαλύτερη τιμή που θεωρείται πιθανή.</translation>
+    </message>
+    <message>
+        <source>The largest value. The imported design spaces these values irregularly; after a change they are spaced regularly.</source>
+        <translation>Η μεγαλύτερη τιμή. Το σχέδιο που εισήχθη κατανέμει τις τιμές ακανόνιστα· μετά από μια αλλαγή κατανέμονται ομοιόμορφα.</translation>
     </message>
 </context>
 <context>
@@ -12370,7 +12397,7 @@ A row is a person. Under each exercise stands the lowest level that the person h
 
 The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
 
-Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+Choose a cell with the arrow keys and press Enter to see the sessions of that person at that exercise.</source>
         <translation>Πόσο έχει προχωρήσει κάθε άτομο της ομάδας.
 
 Κάθε γραμμή είναι ένα άτομο. Κάτω από κάθε άσκηση βρίσκεται το χαμηλότερο επίπεδο που το άτομο δεν έχει περάσει ή «Όλα επιτυχή»· ένας σταυρός δείχνει επίπεδο που έχει ήδη δοκιμάσει. Η «Τελευταία συνεδρία» λέει πότε εκπαιδεύτηκε τελευταία φορά και το «Προς αξιολόγηση» πόσες συνεδρίες του περιμένουν τη δική σας αξιολόγηση. Η γραμμή κάτω από τον πίνακα λέει περισσότερα για το επιλεγμένο κελί: πού βρίσκεται το άτομο σε κάθε επίπεδο μιας άσκησης ή, στο όνομα, τι του προτείνει στη συνέχεια το πρόγραμμα. Οι εκπαιδευόμενοι με απενεργοποιημένο λογαριασμό δεν εμφανίζονται.
@@ -12571,12 +12598,6 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
         <translation>Υποβολή</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still on this page.
-%1</source>
-        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα.
-%1</translation>
-    </message>
-    <message>
         <source>Thank you. The answers are stored.</source>
         <translation>Ευχαριστούμε. Οι απαντήσεις αποθηκεύτηκαν.</translation>
     </message>
@@ -12607,6 +12628,12 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Each participant answers it once about each condition.</source>
         <translation>Κάθε συμμετέχων απαντά σε αυτό μία φορά για κάθε συνθήκη.</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still on this page: press Submit again, and call the experimenter if that does not help.
+%1</source>
+        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα: πατήστε ξανά «Υποβολή» και καλέστε τον πειραματιστή αν αυτό δεν βοηθήσει.
+%1</translation>
     </message>
 </context>
 <context>
@@ -13504,18 +13531,6 @@ Details: %1</source>
         <translation>Τα αποτελέσματά μου</translation>
     </message>
     <message>
-        <source>All your sessions, and your progress.
-
-Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
-
-Press Return or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
-        <translation>Όλες οι συνεδρίες σας και η πρόοδός σας.
-
-Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· η αισθητή δύναμη και η δύναμη που μόνο προβάλλεται έχουν ξεχωριστές γραμμές και δεν συγκρίνονται ποτέ. Η οριζόντια γραμμή είναι το όριο επιτυχίας· η ζώνη δείχνει τι πέτυχαν άλλοι.
-
-Το Enter ή το διπλό κλικ ανοίγει μια προσπάθεια. Η «Εξαγωγή δεδομένων μου» γράφει όλα τα στοιχεία που υπάρχουν για εσάς σε φάκελο της επιλογής σας.</translation>
-    </message>
-    <message>
         <source>Export my data</source>
         <translation>Εξαγωγή δεδομένων μου</translation>
     </message>
@@ -13606,10 +13621,22 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
     <message>
         <source>The results of one person.
 
-Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Return or double-click to open an attempt.</source>
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Enter or double-click to open an attempt.</source>
         <translation>Τα αποτελέσματα ενός ατόμου.
 
 Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· προσπάθειες με δύναμη που γίνεται αισθητή και με δύναμη που μόνο εμφανίζεται δεν συγκρίνονται ποτέ. Με Enter ή διπλό κλικ ανοίγει μια προσπάθεια.</translation>
+    </message>
+    <message>
+        <source>All your sessions, and your progress.
+
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
+
+Press Enter or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
+        <translation>Όλες οι συνεδρίες σας και η πρόοδός σας.
+
+Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· η αισθητή δύναμη και η δύναμη που μόνο προβάλλεται έχουν ξεχωριστές γραμμές και δεν συγκρίνονται ποτέ. Η οριζόντια γραμμή είναι το όριο επιτυχίας· η ζώνη δείχνει τι πέτυχαν άλλοι.
+
+Το Enter ή το διπλό κλικ ανοίγει μια προσπάθεια. Η «Εξαγωγή δεδομένων μου» γράφει όλα τα στοιχεία που υπάρχουν για εσάς σε φάκελο της επιλογής σας.</translation>
     </message>
 </context>
 <context>
@@ -13642,10 +13669,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Εκπαιδεύεται και βλέπει τα δικά του αποτελέσματα</translation>
     </message>
     <message>
-        <source>Sees everybody&apos;s sessions, comments and voids them</source>
-        <translation>Βλέπει τις συνεδρίες όλων, τις σχολιάζει και τις ακυρώνει</translation>
-    </message>
-    <message>
         <source>Roles (at least one)</source>
         <translation>Ρόλοι (τουλάχιστον ένας)</translation>
     </message>
@@ -13656,6 +13679,10 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>Manages people, storage and the station; may also design and run studies</source>
         <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό· μπορεί και να σχεδιάζει και να διεξάγει μελέτες</translation>
+    </message>
+    <message>
+        <source>Sees everybody&apos;s sessions, and can comment on them and void them</source>
+        <translation>Βλέπει τις συνεδρίες όλων, τις σχολιάζει και τις ακυρώνει</translation>
     </message>
 </context>
 <context>
@@ -13862,10 +13889,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Με τη μεγαλύτερη διαφορά και ανατροφοδότηση, πριν από κάθε συνθήκη· ποτέ δεν βαθμολογούνται.</translation>
     </message>
     <message>
-        <source>Break after so many trials</source>
-        <translation>Διάλειμμα μετά από τόσες δοκιμές</translation>
-    </message>
-    <message>
         <source>Participants rest before they go on; 0: never.</source>
         <translation>Οι συμμετέχοντες ξεκουράζονται πριν συνεχίσουν· 0: ποτέ.</translation>
     </message>
@@ -13962,10 +13985,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Σπόρος</translation>
     </message>
     <message>
-        <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
-        <translation>Ακέραιος από τον οποίο προκύπτουν οι σειρές και η τύχη: ο ίδιος αριθμός δίνει ξανά την ίδια μελέτη.</translation>
-    </message>
-    <message>
         <source>Fidelity of a trial</source>
         <translation>Πιστότητα μίας δοκιμής</translation>
     </message>
@@ -13990,10 +14009,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Σφάλμα της αισθητής τιμής</translation>
     </message>
     <message>
-        <source>How far what was rendered may be from what was asked for.</source>
-        <translation>Πόσο μπορεί να απέχει ό,τι αποδόθηκε από ό,τι ζητήθηκε.</translation>
-    </message>
-    <message>
         <source>Late ticks</source>
         <translation>Καθυστερημένοι κύκλοι</translation>
     </message>
@@ -14004,10 +14019,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>Force at its limit</source>
         <translation>Δύναμη στο όριο</translation>
-    </message>
-    <message>
-        <source>Share of the contact during which the device may give all it has.</source>
-        <translation>Ποσοστό της επαφής κατά το οποίο η συσκευή μπορεί να δίνει το μέγιστό της.</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -14030,10 +14041,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Επαναλήψεις μίας δοκιμής</translation>
     </message>
     <message>
-        <source>After so many the run pauses and asks the experimenter.</source>
-        <translation>Μετά από τόσες η εκτέλεση σταματά και ρωτά τον πειραματιστή.</translation>
-    </message>
-    <message>
         <source>Smallest force on an object</source>
         <translation>Μικρότερη δύναμη σε ένα αντικείμενο</translation>
     </message>
@@ -14052,6 +14059,26 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από 0 έως %2.</translation>
+    </message>
+    <message>
+        <source>Trials between breaks</source>
+        <translation>Δοκιμές μεταξύ διαλειμμάτων</translation>
+    </message>
+    <message>
+        <source>A whole number from which all orders and random choices are drawn: the same number gives the same study again.</source>
+        <translation>Ακέραιος από τον οποίο προκύπτουν όλες οι σειρές και οι τυχαίες επιλογές: ο ίδιος αριθμός δίνει ξανά την ίδια μελέτη.</translation>
+    </message>
+    <message>
+        <source>How far the rendered value may be from the requested one.</source>
+        <translation>Πόσο μπορεί να απέχει η τιμή που αποδόθηκε από εκείνη που ζητήθηκε.</translation>
+    </message>
+    <message>
+        <source>Share of the contact time during which the device may be at its force limit.</source>
+        <translation>Ποσοστό του χρόνου επαφής κατά το οποίο η συσκευή μπορεί να βρίσκεται στο όριο δύναμής της.</translation>
+    </message>
+    <message>
+        <source>After this many repeats the run pauses and asks the experimenter.</source>
+        <translation>Μετά από τόσες επαναλήψεις η εκτέλεση σταματά και ρωτά τον πειραματιστή.</translation>
     </message>
 </context>
 <context>
@@ -14561,20 +14588,20 @@ An interrupted run resumes at the trial where it stopped.</source>
         </translation>
     </message>
     <message>
+        <source>The list is empty, so there is nothing to save.</source>
+        <translation>Η λίστα είναι κενή, οπότε δεν υπάρχει τίποτα να αποθηκευτεί.</translation>
+    </message>
+    <message>
         <source>All sessions recorded at this site, newest first.
 
 Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
 
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
         <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, οι νεότερες πρώτα.
 
 Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα. Ό,τι επιλέγετε παραμένει για την υπόλοιπη ημέρα. Ένας σύνδεσμος από άλλη οθόνη, όπως η «Λίστα συνεδριών προς αξιολόγηση», δείχνει τη δική του λίστα και αφήνει την επιλογή σας όπως ήταν. Κάντε κλικ σε μια επικεφαλίδα στήλης για ταξινόμηση.
 
 Με Enter ή διπλό κλικ ανοίγει ο απολογισμός της επιλεγμένης συνεδρίας, με Ctrl+P η αναπαραγωγή της. Τα «Αποτελέσματα αυτού του ατόμου» δείχνουν την εξέλιξή του στην άσκηση και το επίπεδό της. Η «Ακύρωση συνεδρίας» ζητά αιτιολογία και αφαιρεί μια συνεδρία από κάθε μέτρηση· η καταγραφή διατηρείται, και το «Να μετράει ξανά» αναιρεί την απόφαση. Η «Αρχειοθέτηση» την αφαιρεί από τις συνηθισμένες λίστες και μπορεί να αναιρεθεί.</translation>
-    </message>
-    <message>
-        <source>The list is empty, so there is nothing to save.</source>
-        <translation>Η λίστα είναι κενή, οπότε δεν υπάρχει τίποτα να αποθηκευτεί.</translation>
     </message>
 </context>
 <context>
@@ -15345,18 +15372,6 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Μελέτες</translation>
     </message>
     <message>
-        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
-
-&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Return or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
-
-&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
-        <translation>Όλες οι μελέτες αυτού του κέντρου. Ένα πρόχειρο σχεδιάζεται και δοκιμάζεται με προσομοιωμένους παρατηρητές. Μόλις οριστικοποιηθεί, το σχέδιο δεν αλλάζει ποτέ: το SHA-256 του βρίσκεται σε κάθε εξαγωγή, και οι συμμετέχοντες εγγράφονται με τυχαίους κωδικούς.
-
-Η «Νέα μελέτη» αρχίζει από πρότυπο ή από το μηδέν· η «Εισαγωγή» διαβάζει μελέτη από αρχείο JSON. Το Enter ή το διπλό κλικ ανοίγει μια μελέτη. Η «Διεξαγωγή» οδηγεί έναν συμμετέχοντα στη μελέτη, τα «Δεδομένα» δείχνουν τα αποτελέσματα.
-
-Το «Κλείσιμο» τερματίζει οριστικά την εγγραφή. Η «Αρχειοθέτηση» βγάζει μια μελέτη από τη λίστα και αναιρείται.</translation>
-    </message>
-    <message>
         <source>New study …</source>
         <translation>Νέα μελέτη …</translation>
     </message>
@@ -15482,6 +15497,18 @@ With real-time priority the loop stays on time whatever else the computer does. 
     <message>
         <source>Copy to new study …</source>
         <translation>Αντιγραφή σε νέα μελέτη …</translation>
+    </message>
+    <message>
+        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
+
+&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Enter or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
+
+&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
+        <translation>Όλες οι μελέτες αυτού του κέντρου. Ένα πρόχειρο σχεδιάζεται και δοκιμάζεται με προσομοιωμένους παρατηρητές. Μόλις οριστικοποιηθεί, το σχέδιο δεν αλλάζει ποτέ: το SHA-256 του βρίσκεται σε κάθε εξαγωγή, και οι συμμετέχοντες εγγράφονται με τυχαίους κωδικούς.
+
+Η «Νέα μελέτη» αρχίζει από πρότυπο ή από το μηδέν· η «Εισαγωγή» διαβάζει μελέτη από αρχείο JSON. Το Enter ή το διπλό κλικ ανοίγει μια μελέτη. Η «Διεξαγωγή» οδηγεί έναν συμμετέχοντα στη μελέτη, τα «Δεδομένα» δείχνουν τα αποτελέσματα.
+
+Το «Κλείσιμο» τερματίζει οριστικά την εγγραφή. Η «Αρχειοθέτηση» βγάζει μια μελέτη από τη λίστα και αναιρείται.</translation>
     </message>
 </context>
 <context>
@@ -15661,10 +15688,6 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Η μελέτη δεν εμφανίζεται ακόμη στην οθόνη, γι’ αυτό δεν εξήχθη τίποτα. Δοκιμάστε ξανά μόλις εμφανιστεί.</translation>
     </message>
     <message>
-        <source>The export before is still being written. Try again once it says where it is.</source>
-        <translation>Η προηγούμενη εξαγωγή γράφεται ακόμη. Δοκιμάστε ξανά μόλις αναφερθεί πού βρίσκεται.</translation>
-    </message>
-    <message>
         <source>Nothing was exported: no place was chosen.</source>
         <translation>Δεν εξήχθη τίποτα: δεν επιλέχθηκε θέση.</translation>
     </message>
@@ -15673,16 +15696,8 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Δεν υπάρχουν ακόμη βαθμολογημένες δοκιμές.</translation>
     </message>
     <message>
-        <source>%1 is there already.</source>
-        <translation>Το %1 υπάρχει ήδη.</translation>
-    </message>
-    <message>
         <source>It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.</source>
         <translation>Είναι προηγούμενη εξαγωγή. Μπορείτε να την αντικαταστήσετε με τα δεδομένα όπως είναι τώρα ή να την κρατήσετε και να γράψετε τη νέα εξαγωγή δίπλα της.</translation>
-    </message>
-    <message>
-        <source>It is no export of a study, so it is not replaced. You can write the export beside it.</source>
-        <translation>Δεν είναι εξαγωγή μελέτης, γι&apos; αυτό δεν αντικαθίσταται. Μπορείτε να γράψετε την εξαγωγή δίπλα.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -15705,8 +15720,20 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Ισχύει για κάθε σελίδα εδώ και για το PDF, και απομνημονεύεται.</translation>
     </message>
     <message>
-        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
-        <translation>Σε αυτή τη μελέτη δεν υπάρχει εκτέλεση μόνο σε προβολή, άρα εδώ δεν αλλάζει τίποτα. Απομνημονεύεται.</translation>
+        <source>The previous export is still being written. Try again once the message says where it was written.</source>
+        <translation>Η προηγούμενη εξαγωγή γράφεται ακόμη. Δοκιμάστε ξανά μόλις το μήνυμα αναφέρει πού γράφτηκε.</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>Το %1 υπάρχει ήδη.</translation>
+    </message>
+    <message>
+        <source>It is not an export of a study, so it is not replaced. You can write the export beside it.</source>
+        <translation>Δεν είναι εξαγωγή μελέτης, γι&apos; αυτό δεν αντικαθίσταται. Μπορείτε να γράψετε την εξαγωγή δίπλα.</translation>
+    </message>
+    <message>
+        <source>In no run of this study was force only shown, so this changes nothing here. The choice is remembered.</source>
+        <translation>Σε καμία εκτέλεση αυτής της μελέτης η δύναμη δεν προβλήθηκε μόνο, άρα εδώ δεν αλλάζει τίποτα. Η επιλογή απομνημονεύεται.</translation>
     </message>
 </context>
 <context>
@@ -15927,8 +15954,8 @@ Conditions defines what is compared, with which task and procedure. Preview runs
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
     </message>
     <message>
-        <source>The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again.</source>
-        <translation>Η προεπισκόπηση σταμάτησε, επειδή φύγατε από τη σελίδα της. Τίποτα δεν διατηρήθηκε: πατήστε εκεί «Προεπισκόπηση» για νέο υπολογισμό.</translation>
+        <source>The preview was stopped because you left its page, and nothing of it was kept. Press Preview there to calculate it again.</source>
+        <translation>Η προεπισκόπηση σταμάτησε επειδή φύγατε από τη σελίδα της και δεν διατηρήθηκε τίποτα. Πατήστε εκεί «Προεπισκόπηση» για νέο υπολογισμό.</translation>
     </message>
 </context>
 <context>
@@ -16193,24 +16220,24 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Space frees the mouse</source>
         <translation>Το Διάστημα ελευθερώνει το ποντίκι</translation>
     </message>
-    <message>
-        <source>Click in the scene to work on</source>
-        <translation>Κάντε κλικ στη σκηνή για να συνεχίσετε</translation>
-    </message>
-    <message>
-        <source>Read on in the panel</source>
-        <translation>Συνέχεια ανάγνωσης στον πίνακα</translation>
-    </message>
-    <message>
-        <source>Read back in the panel</source>
-        <translation>Επιστροφή στην ανάγνωση του πίνακα</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Go.</source>
         <translation>
             <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
             <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη».</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Click in the scene to go on</source>
+        <translation>Κάντε κλικ στη σκηνή για να συνεχίσετε</translation>
+    </message>
+    <message>
+        <source>Scroll down in the panel</source>
+        <translation>Κύλιση του πίνακα προς τα κάτω</translation>
+    </message>
+    <message>
+        <source>Scroll up in the panel</source>
+        <translation>Κύλιση του πίνακα προς τα πάνω</translation>
     </message>
 </context>
 <context>
@@ -16319,10 +16346,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πόσο ξεπερνούσε το αντικείμενο την αναφορά</translation>
     </message>
     <message>
-        <source>What the participant said</source>
-        <translation>Τι είπε το άτομο</translation>
-    </message>
-    <message>
         <source>Whether the trial counts, and if not, why</source>
         <translation>Αν η δοκιμή μετρά και, αν όχι, γιατί</translation>
     </message>
@@ -16358,6 +16381,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Deviation</source>
         <translation>Απόκλιση</translation>
     </message>
+    <message>
+        <source>What the participant answered</source>
+        <translation>Τι απάντησε το άτομο</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TrialsScreen</name>
@@ -16384,10 +16411,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The next objects are coming. Lift the tool off.</source>
         <translation>Έρχονται τα επόμενα αντικείμενα. Σηκώστε το εργαλείο.</translation>
-    </message>
-    <message>
-        <source>Force is starting. Hold still for a moment.</source>
-        <translation>Η δύναμη ξεκινά. Μείνετε ακίνητοι για μια στιγμή.</translation>
     </message>
     <message>
         <source>Correct.</source>
@@ -16425,28 +16448,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Συνέχεια</translation>
     </message>
     <message>
-        <source>Please ask the experimenter</source>
-        <translation>Παρακαλώ ρωτήστε τον πειραματιστή</translation>
-    </message>
-    <message>
-        <source>The last trial could not be presented accurately enough, even after several attempts.</source>
-        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε με αρκετή ακρίβεια, ακόμη και μετά από αρκετές προσπάθειες.</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>Σε παύση</translation>
     </message>
     <message>
-        <source>Everything so far is kept.</source>
-        <translation>Όλα ως τώρα διατηρούνται.</translation>
-    </message>
-    <message>
         <source>Thank you</source>
         <translation>Ευχαριστούμε</translation>
-    </message>
-    <message>
-        <source>The answer was not accepted.</source>
-        <translation>Η απάντηση δεν έγινε δεκτή.</translation>
     </message>
     <message>
         <source>Stop this session?</source>
@@ -16511,10 +16518,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Force is stopped</source>
         <translation>Η δύναμη σταμάτησε</translation>
-    </message>
-    <message>
-        <source>Re-arm (R)</source>
-        <translation>Ενεργοποίηση (R)</translation>
     </message>
     <message>
         <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
@@ -16597,10 +16600,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η σελίδα του συμμετέχοντος βρίσκεται στην άλλη οθόνη.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen is gone. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
-        <translation>Η οθόνη του συμμετέχοντος δεν υπάρχει πια. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
-    </message>
-    <message>
         <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
         <translation>Η συνεδρία είναι σε παύση. Πριν παραδώσετε, επιστρέψτε στη σελίδα του συμμετέχοντος.</translation>
     </message>
@@ -16626,10 +16625,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>I am ready (Enter)</source>
         <translation>Είμαι έτοιμος/-η (Enter)</translation>
-    </message>
-    <message>
-        <source>The answers are here. They are taken once the trials begin.</source>
-        <translation>Οι απαντήσεις βρίσκονται εδώ. Θα ισχύουν μόλις ξεκινήσουν οι δοκιμές.</translation>
     </message>
     <message>
         <source>Touch the object first.</source>
@@ -16698,13 +16693,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Read the whole instruction again</source>
         <translation>Ανάγνωση όλων των οδηγιών ξανά</translation>
     </message>
-    <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
-        <translation>
-            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
-            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The pilot run is over</source>
         <translation>Η πιλοτική δοκιμή τελείωσε</translation>
@@ -16766,18 +16754,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Συνέχεια (Enter)</translation>
     </message>
     <message>
-        <source>What you do may differ from the part before: the next page shows the question and how you answer it.</source>
-        <translation>Αυτό που κάνετε μπορεί να διαφέρει από το προηγούμενο μέρος: η επόμενη σελίδα δείχνει την ερώτηση και πώς απαντάτε.</translation>
-    </message>
-    <message>
-        <source>You explore and answer as in the part before, unless the experimenter tells you otherwise.</source>
-        <translation>Εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος, εκτός αν σας πει κάτι άλλο ο πειραματιστής.</translation>
-    </message>
-    <message>
-        <source>The number of trials may be another.</source>
-        <translation>Ο αριθμός των δοκιμών μπορεί να είναι άλλος.</translation>
-    </message>
-    <message>
         <source>Stop … (Esc twice)</source>
         <translation>Διακοπή … (δύο φορές Esc)</translation>
     </message>
@@ -16798,14 +16774,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Δεν δόθηκε απάντηση εγκαίρως.</translation>
     </message>
     <message>
-        <source>The experimenter took it out.</source>
-        <translation>Την αφαίρεσε ο πειραματιστής.</translation>
-    </message>
-    <message>
-        <source>The device did not work accurately enough in it. That was not your doing.</source>
-        <translation>Η συσκευή δεν λειτούργησε με αρκετή ακρίβεια. Αυτό δεν οφείλεται σε εσάς.</translation>
-    </message>
-    <message>
         <source>The last trial did not count. %1 %2</source>
         <translation>Η τελευταία δοκιμή δεν μέτρησε. %1 %2</translation>
     </message>
@@ -16814,20 +16782,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
     <message>
-        <source>Apart from this, you explore and answer as in the part before.</source>
-        <translation>Κατά τα άλλα εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος.</translation>
-    </message>
-    <message>
         <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
         <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>
         <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.</translation>
-    </message>
-    <message>
-        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
-        <translation>Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.</translation>
     </message>
     <message>
         <source>In practice, Backspace takes an answer back.</source>
@@ -16900,6 +16860,73 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
         <translation>Αρκετές φορές στη σειρά δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again and does not count as an answer. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
+        <translation>Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα Page Up και Page Down. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν μετράει ως απάντηση. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the previous part: the next page shows the question and how you answer it.</source>
+        <translation>Αυτό που κάνετε μπορεί να διαφέρει από το προηγούμενο μέρος: η επόμενη σελίδα δείχνει την ερώτηση και πώς απαντάτε.</translation>
+    </message>
+    <message>
+        <source>Apart from this, you explore and answer as in the previous part.</source>
+        <translation>Κατά τα άλλα εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the previous part, unless the experimenter tells you otherwise.</source>
+        <translation>Εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος, εκτός αν σας πει κάτι άλλο ο πειραματιστής.</translation>
+    </message>
+    <message>
+        <source>The number of trials may differ.</source>
+        <translation>Ο αριθμός των δοκιμών μπορεί να διαφέρει.</translation>
+    </message>
+    <message numerus="yes">
+        <source>First come %n practice trial(s), which do not count.</source>
+        <translation>
+            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The answer was not accepted. Please answer again, and call the experimenter if this happens once more.</source>
+        <translation>Η απάντηση δεν έγινε δεκτή. Απαντήστε ξανά και καλέστε τον πειραματιστή αν συμβεί άλλη μία φορά.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is no longer connected. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <translation>Η οθόνη του συμμετέχοντος δεν είναι πλέον συνδεδεμένη. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
+    </message>
+    <message>
+        <source>The experimenter discarded it.</source>
+        <translation>Την απέρριψε ο πειραματιστής.</translation>
+    </message>
+    <message>
+        <source>The device did not work accurately enough. This was not your fault.</source>
+        <translation>Η συσκευή δεν λειτούργησε με αρκετή ακρίβεια. Αυτό δεν οφείλεται σε εσάς.</translation>
+    </message>
+    <message>
+        <source>You will answer here once the trials begin.</source>
+        <translation>Εδώ θα απαντάτε, μόλις ξεκινήσουν οι δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Hold still for a moment, then you can go on.</source>
+        <translation>Μείνετε ακίνητοι για μια στιγμή και μετά συνεχίζετε.</translation>
+    </message>
+    <message>
+        <source>Please call the experimenter</source>
+        <translation>Παρακαλούμε καλέστε τον πειραματιστή</translation>
+    </message>
+    <message>
+        <source>The last trial could not be presented accurately enough, even after several attempts. The experimenter decides how to go on.</source>
+        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε με αρκετή ακρίβεια, ακόμη και μετά από αρκετές προσπάθειες. Ο πειραματιστής αποφασίζει πώς θα συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Go on (R)</source>
+        <translation>Συνέχεια (R)</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Συνέχεια» για να συνεχίσετε.</translation>
     </message>
 </context>
 <context>

@@ -121,13 +121,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
-        <translation>
-            <numerusform>It begins with %n practice trial, which does not count.</numerusform>
-            <numerusform>It begins with %n practice trials, which do not count.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
             <numerusform>After each part you answer %n question about it.</numerusform>
@@ -139,6 +132,13 @@
         <translation>
             <numerusform>After the trials you answer %n question about them.</numerusform>
             <numerusform>After the trials you answer %n questions about them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>First come %n practice trial(s), which do not count.</source>
+        <translation>
+            <numerusform>First comes %n practice trial, which does not count.</numerusform>
+            <numerusform>First come %n practice trials, which do not count.</numerusform>
         </translation>
     </message>
 </context>
@@ -194,17 +194,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more people would get another full name; the table shows them.</source>
-        <translation>
-            <numerusform>%n more person would get another full name; the table shows it.</numerusform>
-            <numerusform>%n more people would get another full name; the table shows them.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
             <numerusform>%n person is listed under an earlier full name and keeps the one of today. To give an earlier one back, edit the person.</numerusform>
             <numerusform>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more people would get a different full name; the table shows them.</source>
+        <translation>
+            <numerusform>%n more person would get a different full name; the table shows them.</numerusform>
+            <numerusform>%n more people would get different full names; the table shows them.</numerusform>
         </translation>
     </message>
 </context>
@@ -297,13 +297,6 @@
         <translation>
             <numerusform>%n mark lies off the sphere.</numerusform>
             <numerusform>%n marks lie off the sphere.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
-        <translation>
-            <numerusform>%n mark comes from the observer for planning: nothing was rendered.</numerusform>
-            <numerusform>%n marks come from the observer for planning: nothing was rendered.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -416,6 +409,13 @@
         <translation>
             <numerusform>The group includes %n participant to whom objects were shown, not felt.</numerusform>
             <numerusform>The group includes %n participants to whom objects were shown, not felt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n mark comes from a simulated observer: nothing was rendered.</numerusform>
+            <numerusform>%n marks come from a simulated observer: nothing was rendered.</numerusform>
         </translation>
     </message>
 </context>
@@ -868,10 +868,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>It begins with %n practice trial(s), which do not count.</source>
+        <source>First come %n practice trial(s), which do not count.</source>
         <translation>
-            <numerusform>It begins with %n practice trial, which does not count.</numerusform>
-            <numerusform>It begins with %n practice trials, which do not count.</numerusform>
+            <numerusform>First comes %n practice trial, which does not count.</numerusform>
+            <numerusform>First come %n practice trials, which do not count.</numerusform>
         </translation>
     </message>
 </context>
