@@ -371,15 +371,15 @@ void TestFingertipArm::imuTakesNoPeriodForEveryTick() {
         return AttitudeSensor(p, 7);
     };
     const auto differs = [](AttitudeSensor a, AttitudeSensor b) {
-        bool differs = false;
+        bool different = false;
         for (int n = 0; n < 200; ++n) {
             const Quat q = mechanisms::turned(Quat::Identity(), {0.002 * n, 0.0, 0.001 * n});
             for (AttitudeSensor* one : {&a, &b})
                 one->tick(q, {2.0, 0.0, 1.0}, {0.1, 0.0, -0.2});
-            differs = differs || a.counts() != b.counts() || a.attitude().coeffs() != b.attitude().coeffs() ||
+            different = different || a.counts() != b.counts() || a.attitude().coeffs() != b.attitude().coeffs() ||
                       a.rate_T() != b.rate_T() || a.acceleration_T() != b.acceleration_T();
         }
-        return differs;
+        return different;
     };
     const AttitudeSensor every = sensor(1, 1, 1);
     QVERIFY(!differs(every, sensor(0, 1, 1)) && !differs(every, sensor(1, 0, 1)) &&
