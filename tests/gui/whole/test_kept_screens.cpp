@@ -39,7 +39,8 @@ private slots:
         QStringList now;
         for (int quiet = 0, look = 0; quiet < 3 && look < 400; ++look) { // until what workers bring is there
             QTest::qWait(20);
-            const QStringList next = tests::ScreenOutline::of(*m_desktop->window->screen(), false, true);
+            QStringList next = tests::ScreenOutline::of(*m_desktop->window->screen());
+            next << tests::ScreenOutline::focusOn(*m_desktop->window->screen());
             quiet = next == now && tests::waitUntilLoaded(*m_desktop) ? quiet + 1 : 0;
             now = next;
         }
