@@ -21,6 +21,7 @@
 #include <QComboBox>
 #include <QCursor>
 #include <QDialog>
+#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -28,6 +29,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableView>
@@ -605,6 +607,26 @@ private slots:
         QSignalSpy raised(&first, &InstanceLink::raiseAsked);
         QVERIFY(InstanceLink::raiseOther(file));
         QTRY_COMPARE_WITH_TIMEOUT(raised.count(), 1, kPatience_ms);
+    }
+
+    /// The name of a socket holds 107 letters and a zero.
+    void aNameThatIsTooLongForASocketIsRefused() {
+        QTemporaryDir folder;
+        const QByteArray before = qgetenv("XDG_RUNTIME_DIR");
+        const auto putBack = qScopeGuard([&before] {
+            before.isNull() ? qunsetenv("XDG_RUNTIME_DIR") : qputenv("XDG_RUNTIME_DIR", before);
+        });
+        const auto own = QStringLiteral("/chiron-.socket").size() + 24; // with a part of a digest
+        for (const qsizetype length : {107, 108}) {
+            const qsizetype rest = length - own - folder.path().size() - 1;
+            QVERIFY(rest > 0);
+            const QString runtime = folder.filePath(QString(rest, QLatin1Char('x')));
+            QVERIFY(QDir().mkpath(runtime) &&
+                    QFile::setPermissions(runtime, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+            qputenv("XDG_RUNTIME_DIR", runtime.toLocal8Bit());
+            InstanceLink link(folder.filePath(QStringLiteral("site.db")));
+            QCOMPARE(link.listen().has_value(), length == 107);
+        }
     }
 
     void secondProgramIsNotFooledByALeftOver() {
