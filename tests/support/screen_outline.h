@@ -237,6 +237,8 @@ private:
                              .arg(static_cast<int>(area->verticalScrollBarPolicy()));
             if (const auto* page = qobject_cast<const QScrollArea*>(area); page && page->widgetResizable())
                 parts << QStringLiteral("as wide as its room");
+            if (area->frameShape() != QFrame::StyledPanel)
+                parts << QStringLiteral("frame %1").arg(static_cast<int>(area->frameShape()));
         }
         return parts.join(QStringLiteral(", "));
     }

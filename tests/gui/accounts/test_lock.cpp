@@ -43,6 +43,7 @@ void TestLock::idleLocksAndThePasswordUnlocks() {
     settle();
     auto& lock = lockOf(desktop);
     QVERIFY(!lock.isLocked());
+    QCOMPARE(desktop::IdleLock::kIdle_ms, 600'000); // ten minutes, as the documents say
     lock.idleLock().setIdle(200);
     QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
     QVERIFY(!desktop.window->centralWidget()->isVisible());

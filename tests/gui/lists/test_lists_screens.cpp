@@ -614,6 +614,26 @@ private slots:
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isHidden());
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.archive"))->isHidden());
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.open"))->isEnabled());
+        // The only one is chosen, and a list of one can be saved.
+        QCOMPARE(desktop.find<QTableView>(QStringLiteral("sessions.table"))->currentIndex().row(), 0);
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.export"))->isEnabled());
+    }
+
+    void forceFeltOrOnlyShownIsChosen() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 30);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        auto* device = desktop.find<QComboBox>(QStringLiteral("sessions.device"));
+        for (const auto& [choice, felt] : {std::pair{1, true}, {2, false}}) {
+            device->setCurrentIndex(choice);
+            QCOMPARE(screen->model().rowCount(), 15);
+            for (int row = 0; row < screen->model().rowCount(); ++row)
+                QCOMPARE(screen->model().at(row).summary.felt, felt);
+        }
+        device->setCurrentIndex(0);
+        QCOMPARE(screen->model().rowCount(), 30);
     }
 
     void chosenDaysNarrowTheList() {

@@ -534,6 +534,7 @@ void TestStudyDesign::shortNamesFollowTheirTitles() {
     openDraft(apex, StudyScreen::conditionsTab);
     type("condition.reference", QStringLiteral("25"));
     QCOMPARE(id(), std::string("sphere_25mm"));
+    QVERIFY(std::abs(design().conditions.front().stimulus.reference - 0.025) < 1e-12); // in metres
     QVERIFY(saved());
 }
 
@@ -551,7 +552,7 @@ void TestStudyDesign::aTableOfOneSideHasASmallest() {
     QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("differences.low"), kPatience_ms);
     QVERIFY2(faultAt("differences.low").isEmpty(), qPrintable(faultAt("differences.low")));
     const auto& now = design().conditions.front().stimulus.differences;
-    QVERIFY(now.front() > 0.0 && now.front() < now.back());
+    QVERIFY(std::abs(now.front() - std::log10(1.02)) < 1e-9 && now.front() < now.back()); // the usual one
     QVERIFY(std::abs(now.back() - std::log10(1.6)) < 1e-9); // the largest is kept
     step("trial.explore_limit");                            // nothing holds the page
 }
@@ -571,6 +572,16 @@ void TestStudyDesign::whatIsRemovedComesBack() {
     QCOMPARE(design().conditions.size(), std::size_t{2});
     QCOMPARE(design().conditions.front().id, std::string("stiffness"));
     QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("conditions.1"), kPatience_ms);
+    click("conditions.1"); // the one that is shown is removed
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    click("conditions.remove");
+    QCOMPARE(design().conditions.size(), std::size_t{1});
+    QCOMPARE(design().conditions.front().id, std::string("stiffness"));
+    told.back().action();
+    QCOMPARE(design().conditions.back().id, std::string("mass"));
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("conditions.1"), kPatience_ms);
+    click("conditions.0");
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 0, kPatience_ms);
     click("conditions.remove");
     QTRY_VERIFY_WITH_TIMEOUT(!shown<QPushButton>("conditions.1"), kPatience_ms);
     const auto undo = told.back().action;

@@ -127,6 +127,9 @@ private slots:
         QVERIFY(Closing(level("elastic_tube", true)).after({begins, waits}).isEmpty());
         waits.now_ns = GraspNote::kPatience_ns;
         QVERIFY(!Closing(level("elastic_tube", true)).after({begins, waits}).isEmpty());
+        haptics::DisplayState away = atTube(0.0, kClosed_rad, 0.020); // who left it comes to it anew
+        away.now_ns = GraspNote::kPatience_ns / 2;
+        QVERIFY(Closing(level("elastic_tube", true)).after({begins, away, waits}).isEmpty());
         Closing last(level("elastic_tube", true));
         (void)last.after({atTube(1.0, kOpen_rad, 0.012), atTube(2.0, kClosed_rad, 0.012)});
         QVERIFY(!last.at(2.0 + 1e-9 * GraspNote::kSaid_ns).isEmpty());

@@ -298,6 +298,14 @@ private slots:
     }
     void nothingElseIsKept() { QCOMPARE(m_outlines.unseen(), QStringList()); }
 
+    void aScrubberOfNothingHasItsPlaces() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        Scrubber scrubber(theme);
+        scrubber.resize(400, 52);
+        QCOMPARE(scrubber.xOf(0.0), 12.0);
+        QCOMPARE(scrubber.xOf(3.0), 12.0);
+    }
+
     /// At once, and not when something else happens to paint the window.
     void whatIsNewIsPainted() {
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
