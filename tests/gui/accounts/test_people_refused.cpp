@@ -104,6 +104,9 @@ void TestPeopleRefused::aRefusedFormCanBeUsedAgain() {
         fill();
         QVERIFY2(desk.isEnabled((dialog + ".accept").constData()), button);
         desk.click((dialog + ".accept").constData());
+        QVERIFY2(!desk.isEnabled((dialog + ".accept").constData()) &&
+                     !desk.isEnabled((dialog + ".cancel").constData()),
+                 button); // not twice, and not left, while it works
         QTRY_VERIFY2_WITH_TIMEOUT(
             desk.notice((dialog + ".notice").constData()).contains(QStringLiteral(" not ")), button,
             kPatience_ms);

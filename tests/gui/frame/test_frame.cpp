@@ -132,6 +132,10 @@ private slots:
         desktop.go(QStringLiteral("settings"));
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.theme.1")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().name(), ThemeName::dark, kPatience_ms);
+        for (const QPalette::ColorRole role : {QPalette::Window, QPalette::Text, QPalette::Highlight})
+            QCOMPARE(qApp->palette().color(role), desktop.context.theme().palette().color(role));
+        QCOMPARE(qApp->styleSheet(), desktop.context.theme().styleSheet());
+        QCOMPARE(qApp->font().pixelSize(), desktop.context.theme().font(TextStyle::body).pixelSize());
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.scale.200")), Qt::LeftButton,
                           {}, QPoint(5, 5));
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().scale(), 2.0, kPatience_ms);

@@ -178,6 +178,20 @@ private slots:
         table.model.sort(SessionTableModel::length, Qt::AscendingOrder);
         for (int row = 1; row < table.model.rowCount(); ++row)
             QVERIFY(table.model.at(row - 1).summary.ticks <= table.model.at(row).summary.ticks);
+        std::vector<SessionRow> judged = tests::madeRows(60, kTitles);
+        for (std::size_t i = 0; i < judged.size(); ++i) { // of each session as many marks as its level has
+            judged[i].summary.gates = static_cast<int>(i % 6);
+            judged[i].summary.gatesMet = static_cast<int>(i / 6 % (i % 6 + 1));
+        }
+        Table byScore;
+        byScore.model.setRows(judged);
+        byScore.model.sort(SessionTableModel::score, Qt::AscendingOrder);
+        const auto share = [&byScore](int row) {
+            const database::SessionSummary& of = byScore.model.at(row).summary;
+            return static_cast<double>(of.gatesMet) / std::max(1, of.gates);
+        };
+        for (int row = 1; row < byScore.model.rowCount(); ++row)
+            QVERIFY(share(row - 1) <= share(row));
         table.model.sort(SessionTableModel::person, Qt::AscendingOrder); // among equals the newest first
         for (int row = 1; row < table.model.rowCount(); ++row) {
             const SessionRow& a = table.model.at(row - 1);

@@ -1036,6 +1036,16 @@ void TestStudyDesign::aReferenceTakesNobodysName() {
     QCOMPARE(design().conditions[1].title.at("en"), std::string("Tube of 450 N/m (2)"));
     QCOMPARE(design().conditions[1].id, std::string("tube_450_2"));
     QVERIFY(saved());
+    study = tests::smallStudy("named_alike");
+    study.conditions[0].title["en"] = "Stiffness";
+    study.conditions[1].title["en"] = "Mass";
+    openDraft(study, StudyScreen::conditionsTab);
+    click("conditions.1");
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    type("condition.title", QStringLiteral("Stiffness"));
+    QCOMPARE(design().conditions[1].id, std::string("stiffness_2"));
+    type("condition.title", QStringLiteral("Mass"));
+    QVERIFY(saved());
 }
 
 /// 41 numbers from a German table; one that is none; one that would be less than nothing.
@@ -1124,6 +1134,7 @@ void TestStudyDesign::aConditionHasItsOwnInstructions() {
     one.conditions.resize(1);
     openDraft(one, StudyScreen::conditionsTab);
     QVERIFY(find<QWidget>("condition.title") && !find<QPlainTextEdit>("condition.instructions"));
+    QVERIFY(!find<QPushButton>("conditions.remove")->isEnabled()); // a study has at least one
     click("conditions.copy");
     QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions"), kPatience_ms);

@@ -8,6 +8,7 @@
 #include "app/exercises/palpation/desktop/size_row.h"
 #include "catalogue/catalogue.h"
 #include "desktop/debrief/band_bar.h"
+#include "desktop/debrief/meaning_table.h"
 #include "desktop/home/exercise_picture.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/role_chips.h"
@@ -70,6 +71,28 @@ Made cells(const Theme& theme, bool chips) {
     view->selectionModel()->select(model->index(1, 0),
                                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
     return view;
+}
+
+/// Rows with what they mean below their names, short and long, and one of which nothing more is said.
+Made meanings(const Theme& theme) {
+    auto table = std::make_unique<MeaningTable>(theme, 3);
+    table->setHorizontalHeaderLabels(
+        {QStringLiteral("Metric"), QStringLiteral("Value"), QStringLiteral("Nothing")});
+    table->setRowCount(3);
+    const char* const words[] = {
+        "How long it took, from the first movement to the mark.",
+        "How far the mark lies from the true top, measured across, as a share of the "
+        "radius, whether the ball was seen or not.",
+        ""};
+    for (int row = 0; row < 3; ++row) {
+        auto* name = new QTableWidgetItem(QStringLiteral("Metric %1").arg(row + 1));
+        name->setData(Qt::AccessibleDescriptionRole, QLatin1String(words[row]));
+        table->setItem(row, 0, name);
+        table->setItem(row, 1, new QTableWidgetItem(QString::number(1.5 * row)));
+    }
+    table->hideEmptyColumns();
+    table->selectRow(1);
+    return table;
 }
 
 Made palpationMap(const Theme& theme, const QLocale& locale) {
@@ -203,6 +226,7 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale,
     scrubber->setPosition(14.0);
     all[QStringLiteral("scrubber")] = std::move(scrubber);
     all[QStringLiteral("palpation_map")] = palpationMap(theme, locale);
+    all[QStringLiteral("meanings")] = meanings(theme);
     for (const bool chips : {false, true})
         all[chips ? QStringLiteral("cells_chips") : QStringLiteral("cells_plain")] = cells(theme, chips);
     // ---- what an exercise and a comparison look like ----
