@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDateEdit>
 #include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHeaderView>
@@ -19,6 +20,8 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QTabBar>
@@ -33,18 +36,20 @@
 namespace chiron::tests {
 
 /// How a page is made, as lines of text: what is in which layout and how far apart, what it says and to whom,
-/// how it is lettered, what can be reached. Without what differs from run to run: dates, digests, codes that
-/// are drawn, and where exactly things lie on the screen.
+/// how it is lettered, what can be reached, what is turned or typed, the lines of lists and tables, and the
+/// colours of signs. Without what differs from run to run: dates, digests, codes that are drawn, and where
+/// exactly things lie on the screen.
 class ScreenOutline {
 public:
-    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them; `details`: also ranges
-    /// and values of what is turned or typed, tabs, the lines of lists, and the colours of signs.
-    static QStringList of(const QWidget& page, bool grids = false, bool details = false) {
+    static QStringList of(const QWidget& page) {
         ScreenOutline outline;
-        outline.m_grids = grids;
-        outline.m_details = details;
         outline.add(page, 0);
         return outline.m_lines;
+    }
+    /// Where the keys go as soon as the page's window is the active one.
+    static QString focusOn(const QWidget& page) {
+        const QWidget* in = page.focusWidget();
+        return QStringLiteral("focus on ") + (in ? nameOf(in) : QStringLiteral("nothing"));
     }
 
 private:
@@ -84,7 +89,14 @@ private:
                         .arg(m.bottom()));
         const auto* box = qobject_cast<const QBoxLayout*>(&layout);
         const auto* grid = qobject_cast<const QGridLayout*>(&layout);
-        if (grid && m_grids) {
+        const auto* form = qobject_cast<const QFormLayout*>(&layout);
+        if (form)
+            line(depth + 1, QStringLiteral("gaps %1x%2, wraps %3, labels %4")
+                                .arg(form->horizontalSpacing())
+                                .arg(form->verticalSpacing())
+                                .arg(static_cast<int>(form->rowWrapPolicy()))
+                                .arg(static_cast<int>(form->labelAlignment()), 0, 16));
+        if (grid) {
             QStringList stretches;
             for (int column = 0; column < grid->columnCount(); ++column)
                 stretches << QString::number(grid->columnStretch(column));
@@ -98,7 +110,8 @@ private:
         }
         for (int i = 0; i < layout.count(); ++i) {
             QLayoutItem* item = layout.itemAt(i);
-            if (isOfWaiting(item->widget()) || (item->spacerItem() && item->sizeHint().isEmpty()))
+            const bool empty = item->spacerItem() && item->sizeHint().isEmpty();
+            if (isOfWaiting(item->widget()) || (empty && (!box || box->stretch(i) == 0)))
                 continue; // something is waited for, or was
             QString place = QStringLiteral("- ");
             if (box)
@@ -109,7 +122,9 @@ private:
                 place += QStringLiteral("at %1,%2 %3x%4 ").arg(row).arg(column).arg(rows).arg(columns);
             }
             place += QString::number(static_cast<int>(item->alignment()), 16);
-            if (item->widget())
+            if (empty)
+                line(depth + 1, place + QStringLiteral(" room that is left"));
+            else if (item->widget())
                 line(depth + 1, place + QLatin1Char(' ') + nameOf(item->widget()));
             else if (item->layout())
                 add(*item->layout(), depth + 1);
@@ -149,15 +164,26 @@ private:
         if (widget.focusPolicy() != Qt::NoFocus)
             parts << QStringLiteral("focus %1").arg(static_cast<int>(widget.focusPolicy()));
         const QSizePolicy policy = widget.sizePolicy();
-        if (policy != QSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred))
+        if (policy.horizontalPolicy() != QSizePolicy::Preferred ||
+            policy.verticalPolicy() != QSizePolicy::Preferred)
             parts << QStringLiteral("policy %1/%2")
                          .arg(static_cast<int>(policy.horizontalPolicy()))
                          .arg(static_cast<int>(policy.verticalPolicy()));
+        if (policy.retainSizeWhenHidden())
+            parts << QStringLiteral("keeps its room");
         const bool sized = !qobject_cast<const QMessageBox*>(&widget); // by Qt, as the screen's width allows
         if (const QSize least = ownLeast(widget); sized && least != QSize(0, 0))
             parts << QStringLiteral("least %1x%2").arg(least.width()).arg(least.height());
         if (sized && widget.maximumSize() != QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX))
             parts << QStringLiteral("most %1x%2").arg(widget.maximumWidth()).arg(widget.maximumHeight());
+        if (sized && widget.isWindow() && widget.testAttribute(Qt::WA_Resized)) // not by its layout
+            parts << QStringLiteral("size %1x%2").arg(widget.width()).arg(widget.height());
+        if (widget.testAttribute(Qt::WA_DeleteOnClose))
+            parts << QStringLiteral("gone when closed");
+        if (widget.testAttribute(Qt::WA_TransparentForMouseEvents))
+            parts << QStringLiteral("clicked through");
+        if (const QString used = use(widget); !used.isEmpty())
+            parts << used;
         for (const QByteArray& key : widget.dynamicPropertyNames())
             if (!key.startsWith("_"))
                 parts << QString::fromLatin1(key) + QLatin1Char('=') + said(widget.property(key).toString());
@@ -166,6 +192,54 @@ private:
                                          {"about", widget.accessibleDescription()}})
             if (!text.isEmpty())
                 parts << QLatin1String(kind) + QStringLiteral(" \"") + said(text) + QLatin1Char('"');
+        return parts.join(QStringLiteral(", "));
+    }
+
+    /// What a control does with keys, links and a lack of room, where it is not what Qt would do.
+    static QString use(const QWidget& widget) {
+        QStringList parts;
+        if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+            if (label->buddy())
+                parts << QStringLiteral("of ") + nameOf(label->buddy());
+            if (label->textFormat() != Qt::AutoText)
+                parts << QStringLiteral("format %1").arg(static_cast<int>(label->textFormat()));
+            if (label->textInteractionFlags() != Qt::LinksAccessibleByMouse)
+                parts << QStringLiteral("takes %1").arg(int(label->textInteractionFlags()), 0, 16);
+            if (label->openExternalLinks())
+                parts << QStringLiteral("opens links");
+        }
+        if (const auto* button = qobject_cast<const QPushButton*>(&widget)) {
+            if (button->isDefault())
+                parts << QStringLiteral("default");
+            if (button->autoDefault() && !qobject_cast<const QDialog*>(button->window()))
+                parts << QStringLiteral("pressed by Enter");
+        }
+        if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
+            if (combo->sizeAdjustPolicy() != QComboBox::AdjustToContentsOnFirstShow)
+                parts << QStringLiteral("adjusts %1 to %2 letters")
+                             .arg(static_cast<int>(combo->sizeAdjustPolicy()))
+                             .arg(combo->minimumContentsLength());
+            if (combo->isEditable())
+                parts << QStringLiteral("typed into");
+        }
+        if (const auto* spin = qobject_cast<const QAbstractSpinBox*>(&widget))
+            if (spin->buttonSymbols() != QAbstractSpinBox::UpDownArrows || !spin->keyboardTracking())
+                parts << QStringLiteral("arrows %1%2")
+                             .arg(static_cast<int>(spin->buttonSymbols()))
+                             .arg(spin->keyboardTracking() ? QString() : QStringLiteral(" taken at the end"));
+        if (const auto* edit = qobject_cast<const QLineEdit*>(&widget); edit && edit->isClearButtonEnabled())
+            parts << QStringLiteral("can be emptied");
+        if (const auto* area = qobject_cast<const QAbstractScrollArea*>(&widget)) {
+            if (area->horizontalScrollBarPolicy() != Qt::ScrollBarAsNeeded ||
+                area->verticalScrollBarPolicy() != Qt::ScrollBarAsNeeded)
+                parts << QStringLiteral("bars %1/%2")
+                             .arg(static_cast<int>(area->horizontalScrollBarPolicy()))
+                             .arg(static_cast<int>(area->verticalScrollBarPolicy()));
+            if (const auto* page = qobject_cast<const QScrollArea*>(area); page && page->widgetResizable())
+                parts << QStringLiteral("as wide as its room");
+            if (area->frameShape() != QFrame::StyledPanel)
+                parts << QStringLiteral("frame %1").arg(static_cast<int>(area->frameShape()));
+        }
         return parts.join(QStringLiteral(", "));
     }
 
@@ -180,9 +254,7 @@ private:
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         return most == inks.end() ? QStringLiteral("thin") : QColor(most->first).name();
     }
-    QString icon(const QIcon& icon, const QSize& size) const {
-        if (!m_details)
-            return icon.isNull() ? QString() : QStringLiteral(" icon");
+    static QString icon(const QIcon& icon, const QSize& size) {
         return icon.isNull() ? QString()
                              : QStringLiteral(" icon %1x%2 %3")
                                    .arg(size.width())
@@ -229,9 +301,9 @@ private:
         return {};
     }
 
-    QString words(const QWidget& widget) const {
+    static QString words(const QWidget& widget) {
         if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-            const QPixmap sign = m_details ? label->pixmap() : QPixmap();
+            const QPixmap sign = label->pixmap();
             return QStringLiteral("\"%1\" %2%3%4")
                 .arg(said(label->text()))
                 .arg(static_cast<int>(label->alignment()), 0, 16)
@@ -262,7 +334,7 @@ private:
         }
         if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
             return QStringLiteral("\"%1\"").arg(said(box->title()));
-        return m_details ? range(widget) : QString();
+        return range(widget);
     }
 
     /// The words of a cell, how they stand, and whether there is a picture.
@@ -291,6 +363,23 @@ private:
                             .arg(static_cast<int>(table.selectionMode()))
                             .arg(static_cast<int>(table.editTriggers()))
                             .arg(table.isSortingEnabled() ? QStringLiteral(", sorts") : QString()));
+        const QHeaderView &top = *table.horizontalHeader(), &side = *table.verticalHeader();
+        line(depth, QStringLiteral("head %1 high %2 to %3%4%5%6, rows %7 high%8%9")
+                            .arg(static_cast<int>(top.defaultAlignment()), 0, 16)
+                            .arg(top.minimumHeight())
+                            .arg(top.maximumHeight())
+                            .arg(top.isHidden() ? QStringLiteral(" hidden") : QString(),
+                                 top.stretchLastSection() ? QStringLiteral(" fills the last") : QString(),
+                                 top.highlightSections() ? QStringLiteral(" marks") : QString())
+                            .arg(side.defaultSectionSize())
+                            .arg(side.isHidden() ? QString() : QStringLiteral(" with heads"),
+                                 table.tabKeyNavigation() ? QStringLiteral(", tab walks") : QString()) +
+                        QStringLiteral("%1%2%3, signs %4x%5")
+                            .arg(table.showGrid() ? QStringLiteral(", grid") : QString(),
+                                 table.wordWrap() ? QStringLiteral(", wraps") : QString(),
+                                 table.isCornerButtonEnabled() ? QStringLiteral(", corner") : QString())
+                            .arg(table.iconSize().width())
+                            .arg(table.iconSize().height()));
         for (int row = 0; row < std::min(model.rowCount(), 40); ++row) {
             QStringList cells;
             for (int column = 0; column < model.columnCount(); ++column)
@@ -375,7 +464,7 @@ private:
             add(*table, depth + 1);
             return;
         }
-        if (const auto* list = qobject_cast<const QListView*>(&widget); m_details && list && list->model()) {
+        if (const auto* list = qobject_cast<const QListView*>(&widget); list && list->model()) {
             add(*list, depth + 1);
             return;
         }
@@ -384,9 +473,8 @@ private:
         if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
             qobject_cast<const QLineEdit*>(&widget))
             return; // what it is made of is Qt's
-        if (m_details &&
-            (qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) ||
-             qobject_cast<const QAbstractSlider*>(&widget)))
+        if (qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) ||
+            qobject_cast<const QAbstractSlider*>(&widget))
             return;
         if (widget.layout())
             add(*widget.layout(), depth + 1);
@@ -396,8 +484,6 @@ private:
     }
 
     QStringList m_lines;
-    bool m_grids = false;
-    bool m_details = false;
 };
 
 } // namespace chiron::tests

@@ -35,7 +35,7 @@ public:
         const QSet<QWidget*> before = windows();
         const QPointer<desktop::Screen> screen = m_desktop.window->screen();
         QStringList outline;
-        settle(outline, [&] { return ScreenOutline::of(*screen, false, true); });
+        settle(outline, [&] { return ScreenOutline::of(*screen); });
         m_told.clear();
         QTimer::singleShot(0, m_desktop.window.get(), act); // a dialog may hold it until it is closed
         QStringList came;
@@ -87,7 +87,8 @@ private:
         if (const auto* menu = qobject_cast<const QMenu*>(&window))
             add(*menu, lines);
         else if (!qobject_cast<const QFileDialog*>(&window)) // what it is made of is Qt's
-            for (const QString& line : ScreenOutline::of(window, true, true))
+            for (const QString& line :
+                 ScreenOutline::of(window) + QStringList{ScreenOutline::focusOn(window)})
                 lines << QLatin1Char(' ') + line;
     }
 
@@ -106,7 +107,7 @@ private:
         }
         // Of the screen's own change only that there is one: much of it is on its way ("keeping …"), and
         // screens have tests of their own.
-        if (lines.isEmpty() && ScreenOutline::of(*screen, false, true) != outline)
+        if (lines.isEmpty() && ScreenOutline::of(*screen) != outline)
             lines << QStringLiteral("the screen changes");
         return lines;
     }

@@ -55,7 +55,6 @@ void Scrubber::setPosition(double t_s) {
     const QSignalBlocker quiet(this);
     setValue(qRound(1e3 * t_s));
     setAccessibleDescription(m_moments.at(t_s)); // the value alone would be read aloud in milliseconds
-    update();
 }
 
 QSize Scrubber::sizeHint() const {

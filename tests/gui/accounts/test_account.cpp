@@ -4,7 +4,9 @@
 #include "support/languages.h"
 #include "support/patience.h"
 
+#include "desktop/accounts/field_note.h"
 #include "desktop/accounts/notice_area.h"
+#include "desktop/theme/theme.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QCheckBox>
@@ -13,6 +15,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QRadioButton>
+#include <QVBoxLayout>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -58,6 +61,7 @@ private slots:
     void changesTheFullName();
     void changesThePassword();
     void aWrongOldPasswordChangesNothing();
+    void whatIsWrongInAFieldLeadsToIt();
     void anotherPasswordIsNeeded();
     void theLanguageIsThePersons();
     void theStationsLanguageIsOthers();
@@ -151,6 +155,35 @@ void TestAccount::aWrongOldPasswordChangesNothing() {
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
                              kPatience_ms);
+}
+
+/// The keys go to it and replace what is there; with the first of them the words are gone.
+void TestAccount::whatIsWrongInAFieldLeadsToIt() {
+    const desktop::Theme theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* other = new QLineEdit;
+    auto* field = new QLineEdit(QStringLiteral("a wrong word"));
+    field->setObjectName(QStringLiteral("secret"));
+    column->addWidget(other);
+    column->addWidget(field);
+    auto* note = new desktop::FieldNote(theme, *column, *field);
+    window.show();
+    other->setFocus();
+    const auto* words = window.findChild<QLabel*>(QStringLiteral("secret.note"));
+    QVERIFY(words && words->isHidden());
+    note->say(QStringLiteral("It is wrong."));
+    QCOMPARE(window.focusWidget(), static_cast<QWidget*>(field));
+    QCOMPARE(field->selectedText(), QStringLiteral("a wrong word"));
+    QCOMPARE(field->property("kind").toString(), QStringLiteral("bad"));
+    QCOMPARE(field->accessibleDescription(), QStringLiteral("It is wrong."));
+    QVERIFY(words->isVisible());
+    QCOMPARE(words->text(), QStringLiteral("It is wrong."));
+    QCOMPARE(words->accessibleName(), QStringLiteral("It is wrong."));
+    QTest::keyClicks(field, QStringLiteral("r"));
+    QCOMPARE(field->text(), QStringLiteral("r"));
+    QVERIFY(words->isHidden() && field->accessibleDescription().isEmpty() &&
+            field->property("kind").toString().isEmpty());
 }
 
 void TestAccount::anotherPasswordIsNeeded() {

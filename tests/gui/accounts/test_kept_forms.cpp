@@ -455,8 +455,8 @@ private:
     void take(const char* moment) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
         static const QRegularExpression seconds(QStringLiteral("[0-9]+ second")); // that are left
-        const QStringList now = tests::ScreenOutline::of(*m_widget, true, true)
-                                    .replaceInStrings(seconds, QStringLiteral("… second"));
+        const QStringList now =
+            tests::ScreenOutline::of(*m_widget).replaceInStrings(seconds, QStringLiteral("… second"));
         for (const QString& line : m_changes.of(now))
             say(line);
     }

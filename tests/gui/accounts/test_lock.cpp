@@ -43,6 +43,7 @@ void TestLock::idleLocksAndThePasswordUnlocks() {
     settle();
     auto& lock = lockOf(desktop);
     QVERIFY(!lock.isLocked());
+    QCOMPARE(desktop::IdleLock::kIdle_ms, 600'000); // ten minutes, as the documents say
     lock.idleLock().setIdle(200);
     QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
     QVERIFY(!desktop.window->centralWidget()->isVisible());
@@ -150,6 +151,11 @@ void TestLock::anotherWindowIsHidden() {
     auto& lock = lockOf(desktop);
     lock.lock();
     QVERIFY(lock.isLocked() && !dialog.isVisible());
+    desktop.window->hide(); // minimised, and back
+    desktop.window->show();
+    settle();
+    QVERIFY(lock.isLocked() && desktop.window->isVisible() &&
+            desktop.find<QWidget>(QStringLiteral("lock.cover"))->isVisible());
     QDialog late(desktop.window.get()); // something that was under way brings it up
     late.open();
     QTRY_VERIFY_WITH_TIMEOUT(!late.isVisible(), kPatience_ms);
@@ -157,6 +163,8 @@ void TestLock::anotherWindowIsHidden() {
     QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(dialog.isVisible() && late.isVisible(),
                              kPatience_ms); // what somebody was doing is there again
+    QTRY_VERIFY_WITH_TIMEOUT(!desktop.find<QWidget>(QStringLiteral("lock.cover")),
+                             kPatience_ms); // nothing is left over it
 }
 
 void TestLock::wrongPasswordsWait() {

@@ -15,6 +15,7 @@ private slots:
     void lastAdministratorStays();
     void oneselfIsNotErased();
     void othersAreRefused();
+    void aRefusedFormCanBeUsedAgain();
     void failedListCanBeTriedAgain();
     void unreadableRosters();
 };
@@ -81,6 +82,40 @@ void TestPeopleRefused::othersAreRefused() {
     desk.screen<desktop::PeopleScreen>()->exportTo(desk.folder() + QStringLiteral("/tina.json"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.told.last().contains(QStringLiteral("Nothing was exported")), kPatience_ms);
     QVERIFY(!QFile::exists(desk.folder() + QStringLiteral("/tina.json")));
+}
+
+/// Whatever a form was refused for, it says why, can be changed and left.
+void TestPeopleRefused::aRefusedFormCanBeUsedAgain() {
+    PeopleDesk desk("tom");
+    desk.choose(QStringLiteral("tina"));
+    const std::function<void()> nothing = [] {};
+    for (const auto& [button, name, fill] :
+         {std::tuple<const char*, QString, std::function<void()>>{
+              "people.add", QStringLiteral("add_person"),
+              [&] { desk.set("add_person.name", QStringLiteral("uma")); }},
+          {"people.edit", QStringLiteral("edit_person"),
+           [&] { desk.set("edit_person.full_name", QStringLiteral("Tina Tester")); }},
+          {"people.roles", QStringLiteral("roles"),
+           [&] { desk.find<QCheckBox>(QStringLiteral("roles.researcher"))->click(); }},
+          {"people.reset", QStringLiteral("reset"), nothing}}) {
+        desk.click(button);
+        const QByteArray dialog = name.toLatin1();
+        QTRY_VERIFY2_WITH_TIMEOUT(desk.dialog(dialog.constData()), button, kPatience_ms);
+        fill();
+        QVERIFY2(desk.isEnabled((dialog + ".accept").constData()), button);
+        desk.click((dialog + ".accept").constData());
+        QVERIFY2(!desk.isEnabled((dialog + ".accept").constData()) &&
+                     !desk.isEnabled((dialog + ".cancel").constData()),
+                 button); // not twice, and not left, while it works
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            desk.notice((dialog + ".notice").constData()).contains(QStringLiteral(" not ")), button,
+            kPatience_ms);
+        QVERIFY2(desk.isEnabled((dialog + ".accept").constData()) &&
+                     desk.isEnabled((dialog + ".cancel").constData()),
+                 button);
+        desk.click((dialog + ".cancel").constData());
+        QTRY_VERIFY2_WITH_TIMEOUT(!desk.dialog(dialog.constData()), button, kPatience_ms);
+    }
 }
 
 void TestPeopleRefused::failedListCanBeTriedAgain() {

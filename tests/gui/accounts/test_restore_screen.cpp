@@ -9,8 +9,10 @@
 #include "desktop/restore/restore_screen.h"
 #include "session/backup_list.h"
 #include "support/damaged_file.h"
+#include "support/kept_text.h"
 #include "support/languages.h"
 #include "support/patience.h"
+#include "support/screen_outline.h"
 
 #include <QDialog>
 #include <QDir>
@@ -117,6 +119,7 @@ class TestRestoreScreen : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { qputenv("CHIRON_CONTENT", CHIRON_SOURCE_DIR "/curriculum/content"); }
+    void isMadeAsItWas();
     void aDamagedSiteComesBack_data();
     void aDamagedSiteComesBack();
     void aMissingSiteComesBack();
@@ -131,6 +134,32 @@ private slots:
     void fitsAtEveryScale_data();
     void fitsAtEveryScale();
 };
+
+/// Against what was read and kept: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
+/// build/release/tests/gui/accounts/test_restore_screen
+void TestRestoreScreen::isMadeAsItWas() {
+    KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/accounts/kept_restore.txt"));
+    QStringList different;
+    for (const bool backup : {true, false}) {
+        LostSite lost;
+        QVERIFY(QDir(lost.automatic).removeRecursively()); // two of one second have no order
+        if (!backup)
+            QVERIFY(QDir(lost.place()).removeRecursively());
+        QVERIFY(damage(lost.file(), QStringLiteral("cut off")));
+        lost.start();
+        QVERIFY(lost.screen());
+        if (backup)
+            QTRY_COMPARE_WITH_TIMEOUT(lost.state(0), QStringLiteral("Intact"), kPatience_ms);
+        else
+            QTRY_COMPARE_WITH_TIMEOUT(lost.find<QLabel>("state.title")->text(),
+                                      QStringLiteral("No backup was found"), kPatience_ms);
+        different << kept.differs(backup ? QStringLiteral("a backup") : QStringLiteral("no backup"),
+                                  ScreenOutline::of(*lost.window->screen()));
+    }
+    different.removeAll(QString());
+    QVERIFY2(different.isEmpty(), qPrintable(different.join(QLatin1Char('\n'))));
+    QCOMPARE(kept.unseen(), QStringList());
+}
 
 void TestRestoreScreen::aDamagedSiteComesBack_data() {
     QTest::addColumn<QString>("how");

@@ -102,6 +102,8 @@ void TestBackground::endsEarlyWhenAsked() {
 }
 
 void TestBackground::saysHowFarItIs() {
+    QCOMPARE(WorkToken().done(), 0);
+    QCOMPARE(WorkToken().of(), 0); // of work that tells nothing no end is known
     Background background;
     std::atomic<bool> goOn{false};
     const auto token = background.run(

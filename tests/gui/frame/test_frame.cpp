@@ -23,6 +23,7 @@
 #include <QComboBox>
 #include <QCursor>
 #include <QDialog>
+#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -30,6 +31,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableView>
@@ -132,6 +134,10 @@ private slots:
         desktop.go(QStringLiteral("settings"));
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.theme.1")), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().name(), ThemeName::dark, kPatience_ms);
+        for (const QPalette::ColorRole role : {QPalette::Window, QPalette::Text, QPalette::Highlight})
+            QCOMPARE(qApp->palette().color(role), desktop.context.theme().palette().color(role));
+        QCOMPARE(qApp->styleSheet(), desktop.context.theme().styleSheet());
+        QCOMPARE(qApp->font().pixelSize(), desktop.context.theme().font(TextStyle::body).pixelSize());
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.scale.200")), Qt::LeftButton,
                           {}, QPoint(5, 5));
         QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().scale(), 2.0, kPatience_ms);
@@ -639,6 +645,26 @@ private slots:
         QSignalSpy raised(&first, &InstanceLink::raiseAsked);
         QVERIFY(InstanceLink::raiseOther(file));
         QTRY_COMPARE_WITH_TIMEOUT(raised.count(), 1, kPatience_ms);
+    }
+
+    /// The name of a socket holds 107 letters and a zero.
+    void aNameThatIsTooLongForASocketIsRefused() {
+        QTemporaryDir folder;
+        const QByteArray before = qgetenv("XDG_RUNTIME_DIR");
+        const auto putBack = qScopeGuard([&before] {
+            before.isNull() ? qunsetenv("XDG_RUNTIME_DIR") : qputenv("XDG_RUNTIME_DIR", before);
+        });
+        const auto own = QStringLiteral("/chiron-.socket").size() + 24; // with a part of a digest
+        for (const qsizetype length : {107, 108}) {
+            const qsizetype rest = length - own - folder.path().size() - 1;
+            QVERIFY(rest > 0);
+            const QString runtime = folder.filePath(QString(rest, QLatin1Char('x')));
+            QVERIFY(QDir().mkpath(runtime) &&
+                    QFile::setPermissions(runtime, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+            qputenv("XDG_RUNTIME_DIR", runtime.toLocal8Bit());
+            InstanceLink link(folder.filePath(QStringLiteral("site.db")));
+            QCOMPARE(link.listen().has_value(), length == 107);
+        }
     }
 
     void secondProgramIsNotFooledByALeftOver() {

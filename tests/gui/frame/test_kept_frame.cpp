@@ -63,7 +63,7 @@ QDialog* openDialog() {
 /// Once the frame before it, which is deleted later, has gone.
 QStringList frameOf(tests::DesktopFixture& desktop) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    return tests::ScreenOutline::of(*desktop.window, true, true);
+    return tests::ScreenOutline::of(*desktop.window);
 }
 
 } // namespace
@@ -99,7 +99,7 @@ private slots:
                                               [&] { acted = true; }});
             const auto* bar = desktop->window->findChild<MessageBar*>();
             QVERIFY(bar);
-            hold(QString::number(static_cast<int>(kind)), tests::ScreenOutline::of(*bar, true, true));
+            hold(QString::number(static_cast<int>(kind)), tests::ScreenOutline::of(*bar));
             const auto* timer = bar->findChild<QTimer*>();
             QVERIFY(timer);
             hold(QStringLiteral("%1 stays").arg(static_cast<int>(kind)),
@@ -122,12 +122,12 @@ private slots:
             QVERIFY(QTest::qWaitForWindowActive(desktop->window.get()));
             QTest::keyClick(desktop->window.get(), key, with);
             QTRY_VERIFY2_WITH_TIMEOUT(openDialog(), name, kPatience_ms);
-            hold(QLatin1String(name), tests::ScreenOutline::of(*openDialog(), true, true));
+            hold(QLatin1String(name), tests::ScreenOutline::of(*openDialog()));
             if (auto* field = openDialog()->findChild<QLineEdit*>(QStringLiteral("palette.field")))
                 for (const char* typed : {"lo", "no such thing"}) {
                     field->setText(QLatin1String(typed));
                     hold(QLatin1String(name) + QStringLiteral(" with ") + QLatin1String(typed),
-                         tests::ScreenOutline::of(*openDialog(), true, true));
+                         tests::ScreenOutline::of(*openDialog()));
                 }
             openDialog()->close();
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

@@ -23,7 +23,11 @@
 #include "desktop/station/station_words.h"
 #include "desktop/storage/storage_words.h"
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/freeze_checks.h"
+#include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/number_list.h"
+#include "desktop/studies/participant_card.h"
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/grasping.h"
@@ -309,6 +313,141 @@ private slots:
              listText(readNumbers(QStringLiteral(" 1; 2"), m_locale).values, m_locale),
              unreadWords(readNumbers(QStringLiteral(" 1; ;x;2"), m_locale))});
         hold("studies");
+    }
+
+    /// What participants meet in a study, as its researcher and they themselves are told.
+    void participants() {
+        using psychophysics::StudyDesign;
+        using When = psychophysics::Questionnaire::When;
+        const auto told = [this](const StudyDesign& design, const QString& what) {
+            say({QStringLiteral("## %1").arg(what)});
+            for (const auto& [name, words] : participantFacts(design, m_locale, QStringLiteral("en")))
+                say({name, words});
+            for (const QString& sentence : participantSentences(design, QStringLiteral("en")))
+                say({sentence});
+        };
+        for (int t = 0; t < psychophysics::kTasks; ++t) {
+            StudyDesign design = plainStudy(static_cast<psychophysics::Task>(t));
+            told(design, QStringLiteral("task %1").arg(t));
+            design.trial.mustTouchAll = true;
+            design.conditions.push_back(design.conditions.front());
+            design.conditions.back().id = "another";
+            told(design, QStringLiteral("twice"));
+        }
+        using Change = std::function<void(StudyDesign&)>;
+        const auto asks = [](When when, int questions) {
+            psychophysics::Questionnaire asked;
+            asked.id = "questions";
+            asked.when = when;
+            asked.items.resize(static_cast<std::size_t>(questions));
+            return asked;
+        };
+        for (const auto& [what, change] :
+             {std::pair<const char*, Change>{"no practice, no end, no breaks",
+                                             [](StudyDesign& d) {
+                                                 d.trial.practiceTrials = d.trial.breakEvery = 0;
+                                                 d.trial.exploreLimit_s = 0.0;
+                                             }},
+              {"one to practise on, feedback, no end of answering",
+               [](StudyDesign& d) {
+                   d.trial.practiceTrials = 1;
+                   d.trial.feedback = true;
+                   d.trial.exploreLimit_s = 12.5;
+                   d.trial.answerLimit_s = 0.0;
+               }},
+              {"short breaks",
+               [](StudyDesign& d) {
+                   d.trial.breakEvery = 1;
+                   d.trial.breakAtLeast_s = 1.0;
+               }},
+              {"nothing seen or heard",
+               [](StudyDesign& d) { d.trial.visibleObjects = d.trial.maskingSound = false; }},
+              {"not all have to be touched", [](StudyDesign& d) { d.trial.mustTouchAll = false; }},
+              {"any graze counts", [](StudyDesign& d) { d.trial.probeAtLeast_N = 0.0; }},
+              {"asked before and after",
+               [&](StudyDesign& d) {
+                   d.questionnaires = {asks(When::before, 2), asks(When::after, 2)};
+               }},
+              {"asked after", [&](StudyDesign& d) { d.questionnaires = {asks(When::after, 1)}; }},
+              {"asked about each", [&](StudyDesign& d) {
+                   d.questionnaires = {asks(When::before, 1), asks(When::afterCondition, 2),
+                                       asks(When::after, 3), asks(When::enrolment, 5)};
+               }}}) {
+            StudyDesign design = plainStudy();
+            change(design);
+            told(design, QLatin1String(what));
+        }
+        StudyDesign apex = plainStudy();
+        psychophysics::Condition& sphere = apex.conditions.front();
+        sphere.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
+        sphere.task = psychophysics::Task::adjustment;
+        sphere.procedures = {psychophysics::ConstantSpec{{0.0}, 10, true}};
+        told(apex, QStringLiteral("apex"));
+        hold("participants");
+    }
+
+    /// What is looked at before a design is frozen, at the edges of each finding.
+    void freezing() {
+        using psychophysics::OrderDesign;
+        psychophysics::StudyDesign design = plainStudy();
+        FreezeFacts facts;
+        const auto told = [&](const QString& what, const char* only = nullptr) {
+            say({QStringLiteral("## %1").arg(what)});
+            for (const FreezeCheck& check : freezeChecks(design, facts, m_locale))
+                if (!only || check.name == QLatin1String(only))
+                    say({check.name, QString::number(static_cast<int>(check.state)), check.title, check.words,
+                         QString::number(check.tab), QString::number(check.condition), check.field});
+        };
+        told(QStringLiteral("a plain study"));
+        for (const int letters : {0, 119, 120}) {
+            design.consent["en"] = std::string(static_cast<std::size_t>(letters), 'x');
+            told(QStringLiteral("%1 letters").arg(letters), "consent");
+        }
+        design.ethics = "Approved.";
+        told(QStringLiteral("approved"), "ethics");
+        for (const int conditions : {1, 2, 3, 4}) {
+            design.conditions.resize(static_cast<std::size_t>(conditions), design.conditions.front());
+            QStringList by;
+            for (const OrderDesign order :
+                 {OrderDesign::fixed, OrderDesign::random, OrderDesign::latinSquare, OrderDesign::williams}) {
+                design.order = order;
+                by << QString::number(balancedBy(design));
+            }
+            say({QStringLiteral("%1 conditions are balanced by").arg(conditions), by.join(QLatin1Char(' '))});
+        }
+        for (const int planned : {0, 1, 2, 4, 6}) { // of four conditions in a Williams design
+            design.participantsPlanned = planned;
+            told(QStringLiteral("%1 planned").arg(planned), "participants");
+        }
+        for (const int practice : {0, 1}) {
+            design.trial.practiceTrials = practice;
+            told(QStringLiteral("%1 to practise on").arg(practice), "practice");
+        }
+        for (const int pilots : {0, 1}) {
+            facts.pilots = pilots;
+            told(QStringLiteral("tried %1 times").arg(pilots), "pilot");
+        }
+        for (const int conditions : {1, 2}) {
+            design.conditions.resize(static_cast<std::size_t>(conditions));
+            for (const auto& [minutes, sdLog10] : {std::pair{0.0, std::nan("")},
+                                                   {20.5, 0.02},
+                                                   {60.0 / conditions, 0.08},
+                                                   {60.1 / conditions, 0.3},
+                                                   {90.0, 1.0}}) {
+                psychophysics::ConditionPlan plan;
+                plan.minutes = minutes;
+                plan.sdLog10 = sdLog10;
+                plan.sdError = 0.1 * sdLog10;
+                facts.plans.emplace(static_cast<std::size_t>(conditions), plan);
+                if (conditions > 1)
+                    facts.plans->front().sdLog10 *= 0.5; // the worst counts
+                const QString what =
+                    QStringLiteral("%1 x %2 min, %3").arg(conditions).arg(minutes).arg(sdLog10);
+                told(what, "duration");
+                told(what, "precision");
+            }
+        }
+        hold("freezing");
     }
 
     void force() {

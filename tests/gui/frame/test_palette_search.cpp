@@ -56,6 +56,13 @@ public:
         }
         return lines;
     }
+    QStringList headings() const {
+        QStringList titles;
+        for (int row = 0; row < list()->count(); ++row)
+            if (!list()->item(row)->flags().testFlag(Qt::ItemIsSelectable))
+                titles << list()->item(row)->text();
+        return titles;
+    }
     bool choose(const QString& text) {
         for (int row = 0; row < list()->count(); ++row)
             if (list()->item(row)->text().startsWith(text)) {
@@ -86,6 +93,7 @@ private slots:
     void otherWordsLeadThere_data();
     void otherWordsLeadThere();
     void arrowsPassTheHeadings();
+    void lettersInOnePieceGoBeforeNames();
     void tenThousandSessionsAreCapped();
 };
 
@@ -108,6 +116,11 @@ void TestPaletteSearch::wordsAreFoundInAnyOrder() {
     QVERIFY(find("tinx", 9).isEmpty() && find("  ", 9).isEmpty());
     QCOMPARE(find("tina", 1).size(), 1);
     QCOMPARE(findThings(index, ThingKind::person, QStringLiteral("tina"), 1).all, 3);
+    people.clear();
+    for (const char* name : {"Anna Mothering", "Zoe Other"})
+        people.push_back({QString::fromUtf8(name), forSearch(QString::fromUtf8(name)), {}});
+    QCOMPARE(find("other", 9), (QStringList{QStringLiteral("Zoe Other"), // the beginning of any word
+                                            QStringLiteral("Anna Mothering")}));
 }
 
 void TestPaletteSearch::peopleLeadToTheirPlace() {
@@ -118,6 +131,7 @@ void TestPaletteSearch::peopleLeadToTheirPlace() {
         Palette palette(desktop);
         palette.type(QStringLiteral("trainee tin"));
         QCOMPARE(palette.below(QStringLiteral("People")), QStringList{QStringLiteral("Tina Trainee (tina)")});
+        QVERIFY(palette.headings().contains(QStringLiteral("People"))); // all of them, so no number
         QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
     }
     QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<PeopleScreen>(), kPatience_ms);
@@ -216,6 +230,16 @@ void TestPaletteSearch::otherScreensCommandsLeadThere() {
                                                                   QLatin1String("storage.back_up"),
                              kPatience_ms);
     QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
+    for (const char* person : {"tina", "ada"}) { // what there is is looked for again for everybody
+        desktop.logIn(person);
+        Palette palette(desktop);
+        QTest::qWait(300);
+        palette.type(QStringLiteral("back up now"));
+        QCOMPARE(palette.below(QStringLiteral("On other screens")),
+                 person == std::string("ada") ? QStringList{QStringLiteral("Storage: Back up now")}
+                                              : QStringList());
+        palette.close();
+    }
 }
 
 void TestPaletteSearch::otherWordsLeadThere_data() {
@@ -304,6 +328,25 @@ void TestPaletteSearch::arrowsPassTheHeadings() {
              QStringLiteral("Tina")); // what came later took nothing from under the hand
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(ran, QStringList{QStringLiteral("Tina")});
+}
+
+/// A command that has the letters in one piece is meant before a name, others after it.
+void TestPaletteSearch::lettersInOnePieceGoBeforeNames() {
+    const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    const auto command = [](const char* text) { return ScreenCommand{QLatin1String(text), {}, [] {}}; };
+    auto* palette = new CommandPalette(
+        theme, {{QStringLiteral("Here"), {command("Retinal view"), command("Train again")}}}, nullptr);
+    palette->show();
+    palette->findChild<QLineEdit*>()->setText(QStringLiteral("tina"));
+    palette->showFound({{QStringLiteral("People"), {command("Tina")}}}, {});
+    const auto* list = palette->findChild<QListWidget*>();
+    QStringList lines;
+    for (int row = 0; row < list->count(); ++row)
+        lines << list->item(row)->text();
+    QCOMPARE(lines.mid(0, 5), (QStringList{QStringLiteral("Commands"), QStringLiteral("Retinal view"),
+                                           QStringLiteral("People"), QStringLiteral("Tina"),
+                                           QStringLiteral("Further commands")}));
+    palette->close();
 }
 
 void TestPaletteSearch::tenThousandSessionsAreCapped() {

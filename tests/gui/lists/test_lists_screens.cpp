@@ -14,10 +14,12 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/kept_text.h"
 #include "support/languages.h"
 #include "support/paint_outline.h"
 #include "support/patience.h"
 #include "support/pdf_text.h"
+#include "support/screen_outline.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -558,12 +560,20 @@ private slots:
         QCOMPARE(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).size(),
                  2);
         QCOMPARE(desktop.context.unread(), 0); // they stand here to be read
+        // How they look was read and kept: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen
+        // build/release/tests/gui/lists/test_lists_screens
+        tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/lists/kept_comments.txt"));
+        const auto differs = [&](const char* name) {
+            return kept.differs(QLatin1String(name), tests::ScreenOutline::of(*desktop.window->screen()));
+        };
+        QStringList different{differs("unread")};
         desktop.find<QPushButton>(QStringLiteral("comments.open.1"))->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("playback"));
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("at_tick")).toULongLong(), 5000ULL);
         desktop.context.navigator().back();
         QVERIFY(loaded(desktop)); // found again once read
         QVERIFY(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).isEmpty());
+        different << differs("read");
         desktop.find<QPushButton>(QStringLiteral("comments.open.2"))->click();
         QCOMPARE(here(desktop).screen, QStringLiteral("debrief")); // about the whole session
         desktop.logIn("tom");
@@ -576,6 +586,11 @@ private slots:
         QVERIFY(!leads(1));
         desktop.find<QComboBox>(QStringLiteral("comments.which"))->setCurrentIndex(2); // written
         QVERIFY(leads(1) && leads(2) && !leads(3)); // tina's own is not his
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        different << differs("by somebody else");
+        different.removeAll(QString());
+        QVERIFY2(different.isEmpty(), qPrintable(different.join(QLatin1Char('\n'))));
+        QCOMPARE(kept.unseen(), QStringList());
         auto* screen = openSessions(desktop, {{QStringLiteral("commented"), true}});
         QVERIFY(screen);
         QCOMPARE(screen->model().rowCount(), 3);
@@ -599,6 +614,26 @@ private slots:
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isHidden());
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.archive"))->isHidden());
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.open"))->isEnabled());
+        // The only one is chosen, and a list of one can be saved.
+        QCOMPARE(desktop.find<QTableView>(QStringLiteral("sessions.table"))->currentIndex().row(), 0);
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.export"))->isEnabled());
+    }
+
+    void forceFeltOrOnlyShownIsChosen() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 30);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        auto* device = desktop.find<QComboBox>(QStringLiteral("sessions.device"));
+        for (const auto& [choice, felt] : {std::pair{1, true}, {2, false}}) {
+            device->setCurrentIndex(choice);
+            QCOMPARE(screen->model().rowCount(), 15);
+            for (int row = 0; row < screen->model().rowCount(); ++row)
+                QCOMPARE(screen->model().at(row).summary.felt, felt);
+        }
+        device->setCurrentIndex(0);
+        QCOMPARE(screen->model().rowCount(), 30);
     }
 
     void chosenDaysNarrowTheList() {

@@ -5,6 +5,8 @@
 #include "desktop/station/station_screen.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
+#include "support/kept_text.h"
+#include "support/screen_outline.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -138,6 +140,48 @@ private slots:
         card.showStopped();
         QVERIFY(!card.findChild<QTableWidget*>(QStringLiteral("station.worse")));
         card.showError({core::ErrorCode::badInput, "no such plant"});
+    }
+
+    /// Words, tables and plots of the card, against what was read and kept: CHIRON_STORE_OUTLINES=1
+    /// QT_QPA_PLATFORM=offscreen build/release/tests/gui/lists/test_platform_check
+    void theCardIsMadeAsItWas() {
+        tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/lists/kept_platform.txt"));
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        const QLocale locale(QLocale::English, QLocale::UnitedKingdom);
+        PlatformCheck check = madeCheck(0.05, 1.0);
+        for (std::size_t i = 0; i < check.verified.poses.size(); ++i) {
+            mechanisms::FingertipPosed& pose = check.verified.poses[i];
+            const double step = static_cast<double>(i);
+            pose.referencePitch_rad = core::radFromDeg(5.0 * step - 20.0);
+            pose.measuredPitch_rad = core::radFromDeg(5.1 * step - 20.2);
+            pose.referenceRoll_rad = core::radFromDeg(12.0 - 2.0 * step);
+            pose.measuredRoll_rad = core::radFromDeg(12.1 - 1.9 * step);
+        }
+        for (std::size_t i = 0; i < check.verified.series.time_s.size(); ++i) {
+            check.verified.series.measured_N[i] = 0.4 + 1e-3 * static_cast<double>(i);
+            check.verified.series.true_N[i] = 0.3 + 2e-3 * static_cast<double>(i);
+        }
+        PlatformCard card(theme, locale, true), seenOnly(theme, locale, false);
+        const auto differs = [&kept](const char* name, const QWidget& shown) {
+            return kept.differs(QLatin1String(name), tests::ScreenOutline::of(shown));
+        };
+        QStringList all{differs("nothing is verified yet", card), differs("by a trainee", seenOnly)};
+        card.setReady(false);
+        all << differs("not ready", card);
+        card.show(check);
+        all << differs("verified", card);
+        check.worse.clear();
+        check.serialNumber = "FP-7";
+        check.fingers[0].verified.largest_N = 4.1;
+        card.show(check);
+        all << differs("not on every finger", card);
+        card.showStopped();
+        all << differs("stopped", card);
+        card.showError({core::ErrorCode::badInput, "no such plant"});
+        all << differs("failed", card);
+        all.removeAll(QString());
+        QVERIFY2(all.isEmpty(), qPrintable(all.join(QLatin1Char('\n'))));
+        QCOMPARE(kept.unseen(), QStringList());
     }
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/people/people_model.h"
 #include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_csv.h"
 #include "gui/lists/many_sessions.h"
 
 #include <QAbstractItemModelTester>
+#include <QSignalSpy>
 #include <QtTest>
 
 using namespace chiron;
@@ -18,6 +20,26 @@ struct Table {
     Theme theme = Theme::load(ThemeName::light, 1.0).value();
     SessionTableModel model{theme, QLocale(QLocale::English, QLocale::UnitedKingdom)};
     QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+};
+
+/// Whether a model says before it changes that it will, as a view needs that keeps its place.
+class Announced {
+public:
+    explicit Announced(QAbstractItemModel& model)
+        : m_begun{&model, &QAbstractItemModel::modelAboutToBeReset},
+          m_done{&model, &QAbstractItemModel::modelReset},
+          m_layoutBegun{&model, &QAbstractItemModel::layoutAboutToBeChanged},
+          m_layoutDone{&model, &QAbstractItemModel::layoutChanged} {}
+    /// Since it was last asked something changed, and every change was announced.
+    bool once() {
+        const qsizetype changes = m_done.count() + m_layoutDone.count();
+        const bool all = m_begun.count() == m_done.count() && m_layoutBegun.count() == m_layoutDone.count();
+        return std::exchange(m_changes, changes) < changes && all;
+    }
+
+private:
+    QSignalSpy m_begun, m_done, m_layoutBegun, m_layoutDone;
+    qsizetype m_changes = 0;
 };
 
 /// How many of the rows a plain predicate leaves.
@@ -156,6 +178,20 @@ private slots:
         table.model.sort(SessionTableModel::length, Qt::AscendingOrder);
         for (int row = 1; row < table.model.rowCount(); ++row)
             QVERIFY(table.model.at(row - 1).summary.ticks <= table.model.at(row).summary.ticks);
+        std::vector<SessionRow> judged = tests::madeRows(60, kTitles);
+        for (std::size_t i = 0; i < judged.size(); ++i) { // of each session as many marks as its level has
+            judged[i].summary.gates = static_cast<int>(i % 6);
+            judged[i].summary.gatesMet = static_cast<int>(i / 6 % (i % 6 + 1));
+        }
+        Table byScore;
+        byScore.model.setRows(judged);
+        byScore.model.sort(SessionTableModel::score, Qt::AscendingOrder);
+        const auto share = [&byScore](int row) {
+            const database::SessionSummary& of = byScore.model.at(row).summary;
+            return static_cast<double>(of.gatesMet) / std::max(1, of.gates);
+        };
+        for (int row = 1; row < byScore.model.rowCount(); ++row)
+            QVERIFY(share(row - 1) <= share(row));
         table.model.sort(SessionTableModel::person, Qt::AscendingOrder); // among equals the newest first
         for (int row = 1; row < table.model.rowCount(); ++row) {
             const SessionRow& a = table.model.at(row - 1);
@@ -172,16 +208,42 @@ private slots:
         whole.model.setRows(rows);
         for (const int column :
              {static_cast<int>(SessionTableModel::number), static_cast<int>(SessionTableModel::person)}) {
-            Table paged;
-            paged.model.sort(column, Qt::DescendingOrder);
-            whole.model.sort(column, Qt::DescendingOrder);
-            paged.model.setRows(newest);
-            paged.model.append(rest);
-            QCOMPARE(paged.model.rowCount(), whole.model.rowCount());
-            QCOMPARE(paged.model.total(), 5000);
-            for (int row = 0; row < whole.model.rowCount(); ++row)
-                QCOMPARE(paged.model.at(row).summary.id, whole.model.at(row).summary.id);
+            for (const Qt::SortOrder order : {Qt::DescendingOrder, Qt::AscendingOrder}) {
+                Table paged;
+                paged.model.sort(column, order);
+                whole.model.sort(column, order);
+                paged.model.setRows(newest);
+                paged.model.append(rest);
+                QCOMPARE(paged.model.rowCount(), whole.model.rowCount());
+                QCOMPARE(paged.model.total(), 5000);
+                for (int row = 0; row < whole.model.rowCount(); ++row)
+                    QCOMPARE(paged.model.at(row).summary.id, whole.model.at(row).summary.id);
+            }
         }
+    }
+
+    void everyChangeIsAnnounced() {
+        Table table;
+        Announced announced(table.model);
+        table.model.setRows(tests::madeRows(20, kTitles));
+        QVERIFY(announced.once());
+        table.model.sort(SessionTableModel::person, Qt::AscendingOrder);
+        QVERIFY(announced.once());
+        table.model.append(tests::madeRows(5, kTitles));
+        QVERIFY(announced.once());
+        SessionListFilter filter;
+        filter.archived = true;
+        table.model.setFilter(filter);
+        QVERIFY(announced.once());
+        table.model.setFilter(filter); // nothing new
+        QVERIFY(!announced.once());
+        table.model.replace(table.model.at(0));
+        QVERIFY(announced.once());
+        PeopleModel people(table.theme, nullptr);
+        Announced ofPeople(people);
+        people.setPeople(std::vector<database::Person>(2));
+        QVERIFY(ofPeople.once());
+        QCOMPARE(people.rowCount(), 2);
     }
 
     void aChangedRowMovesOrLeaves() {
@@ -276,6 +338,14 @@ private slots:
         QVERIFY(lines[1].contains(",completed,false,shown,"));
         QVERIFY(lines[1].trimmed().contains(",17.919,3,1,1,false"));
         QVERIFY(!writeSessionsCsv(rows, QStringLiteral("/nowhere/at/all.csv")));
+        for (const auto& [name, field] : {std::pair{"Smith; Jo", "Smith; Jo"},
+                                          {"Smith, Jo", "\"Smith, Jo\""},
+                                          {"Jo \"J\" Smith", "\"Jo \"\"J\"\" Smith\""},
+                                          {"Jo\nSmith", "\"Jo\nSmith\""},
+                                          {"Jo\rSmith", "\"Jo\rSmith\""}}) {
+            rows[0].summary.personName = name;
+            QVERIFY2(sessionsCsv(rows).contains(QByteArray(",") + field + ','), name);
+        }
     }
 };
 

@@ -204,6 +204,22 @@ private slots:
         for (std::size_t i = 100; i < 200; ++i)
             track.quantities[2].values[i] = 0.012; // more is held than was put in
         QCOMPARE(legend().size(), 3);
+        // Of one energy alone, or of two that do not belong together, nothing can be said.
+        const session::PlaybackTrack whole = track;
+        using Quantities = std::vector<session::PlaybackQuantity>;
+        const std::vector<std::function<void(Quantities&)>> losses{
+            [](Quantities& q) { q.erase(q.begin() + 1); }, [](Quantities& q) { q.erase(q.begin() + 2); },
+            [](Quantities& q) { q[1].values.resize(10); },
+            [](Quantities& q) {
+                q[1].values.clear();
+                q[2].values.clear();
+            }};
+        for (const auto& lose : losses) {
+            track = whole;
+            lose(track.quantities);
+            QCOMPARE(legend(), QStringList());
+        }
+        track = whole;
         PlaybackPlots without(theme, QLocale::c(), track, setup.level);
         QVERIFY(!without.findChild<report::PlotView*>(
             QStringLiteral("playback.felt_plot"))); // of one tool it is a line in the plot of force

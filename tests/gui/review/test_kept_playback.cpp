@@ -224,7 +224,7 @@ private slots:
                                          of->layer.get());
             plots.setGhost(session::ghostSeries(of->track, beside->track), QStringLiteral("second session"));
             plots.showCursor(1.5);
-            m_lines << tests::ScreenOutline::of(plots, true, true);
+            m_lines << tests::ScreenOutline::of(plots);
         }
         const QString differs = m_kept.differs(QStringLiteral("a second session"), m_lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
@@ -277,7 +277,7 @@ private:
             find<QCheckBox>("playback.contacts")->setChecked(!penalties);
             find<QCheckBox>("playback.penalties_only")->setChecked(penalties);
             say(penalties ? QStringLiteral("-- penalties") : QStringLiteral("-- all events"));
-            m_lines << tests::ScreenOutline::of(*marks->parentWidget(), false, true);
+            m_lines << tests::ScreenOutline::of(*marks->parentWidget());
         }
         find<QCheckBox>("playback.penalties_only")->setChecked(false);
         for (const int row : {0, marks->count() / 2, marks->count() - 1}) {

@@ -6,6 +6,7 @@
 // review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_reports
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
+#include "desktop/people/login_slips.h"
 #include "desktop/plots/session_words.h"
 #include "report/check_record.h"
 #include "report/plot_view.h"
@@ -38,6 +39,7 @@ private slots:
     void studyIsPaintedAsItWas();
     void comparisonIsPaintedAsItWas();
     void checkIsPaintedAsItWas();
+    void slipsArePaintedAsTheyWere();
     void nothingElseIsKept() { QCOMPARE(m_kept.unseen(), QStringList()); }
     void cleanupTestCase() { m_site.reset(); }
 
@@ -372,6 +374,22 @@ void TestKeptReports::checkIsPaintedAsItWas() {
     QCOMPARE(pages.pages(), 2);
     const QString differs = m_kept.differs(QStringLiteral("check"), pages.take());
     QVERIFY2(differs.isEmpty(), qPrintable(differs));
+}
+
+/// One person with a full name and one without, at a site with a name and at one without.
+void TestKeptReports::slipsArePaintedAsTheyWere() {
+    desktop::LoginSlips slips{
+        QStringLiteral("Skills lab"),
+        {{1, "uma", "Uma Unknown", "seven-grey-geese"},
+         {2, "vic", "", "a-password-so-long-that-it-may-not-fit-on-one-line-of-a-slip"}}};
+    for (const char* name : {"slips", "slips of a site without a name"}) {
+        OutlinePages pages;
+        QVERIFY(desktop::paintLoginSlips(
+            pages, slips, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom))));
+        const QString differs = m_kept.differs(QLatin1String(name), pages.take());
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        slips.site.clear();
+    }
 }
 
 QTEST_MAIN(TestKeptReports)

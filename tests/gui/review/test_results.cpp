@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's own results: the curve, the attempts, a copy of their data.
 #include "desktop/plots/plot_theme_of.h"
+#include "desktop/playback/playback_data.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_screen.h"
 #include "report/plot_view.h"
@@ -37,6 +38,7 @@ private slots:
     void openLeadsToTheDebrief();
     void opensWhereOneIsAndStaysThere();
     void exportsEverything();
+    void progressIsAShare();
     void nothingClippedOrUnnamed();
 
 private:
@@ -262,6 +264,38 @@ void TestResults::exportsEverything() {
     QVERIFY(json.open(QIODevice::ReadOnly));
     const QJsonObject everything = QJsonDocument::fromJson(json.readAll()).object();
     QCOMPARE(everything["sessions"].toArray().size(), 7);
+}
+
+/// What is told of long work: from 0 on, never back and never beyond 1; and it ends where that is asked.
+void TestResults::progressIsAShare() {
+    auto connection = m_site->database().openReader();
+    QVERIFY(connection);
+    using Progress = std::function<bool(double)>;
+    const std::vector<std::pair<const char*, std::function<bool(const Progress&)>>> works{
+        {"results",
+         [&](const Progress& progress) {
+             return desktop::loadAttempts(**connection, *m_tina, m_tina->personId(), progress).has_value();
+         }},
+        {"one's own data",
+         [&](const Progress& progress) {
+             const QTemporaryDir folder;
+             return desktop::exportOwnData(**connection, *m_tina, folder.path().toStdString(), progress)
+                 .has_value();
+         }},
+        {"playback", [&](const Progress& progress) {
+             return desktop::loadPlayback(**connection, *m_tina, m_last, progress).has_value();
+         }}};
+    for (const auto& [name, work] : works) {
+        std::vector<double> shares;
+        QVERIFY2(work([&shares](double share) {
+                     shares.push_back(share);
+                     return true;
+                 }),
+                 name);
+        QVERIFY2(shares.size() > 1 && std::is_sorted(shares.begin(), shares.end()), name);
+        QVERIFY2(shares.front() >= 0.0 && shares.front() < shares.back() && shares.back() <= 1.0, name);
+        QVERIFY2(!work([](double) { return false; }), name);
+    }
 }
 
 void TestResults::nothingClippedOrUnnamed() {

@@ -242,6 +242,12 @@ private slots:
         view->show(samples::inAir());
         QTRY_VERIFY_WITH_TIMEOUT(view->framesDrawn() >= 2, kPatience_ms);
         QCOMPARE(told, 1);
+        QTest::qWait(20); // until it rests
+        const auto frames = view->framesDrawn();
+        SceneSetup dark = samples::setup();
+        dark.colours = samples::dark();
+        view->change(dark); // is seen without another state
+        QTRY_VERIFY_WITH_TIMEOUT(view->framesDrawn() > frames, kPatience_ms);
         view->onFirstFrame([&] { ++told; }); // afterwards it comes from the event loop
         QTRY_COMPARE_WITH_TIMEOUT(told, 2, kPatience_ms);
     }

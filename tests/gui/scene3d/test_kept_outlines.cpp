@@ -98,6 +98,15 @@ Scene apex(simulation::ApexSurface surface) {
         scene.steps.push_back({QStringLiteral("turned"), turned});
     }
     addLooks(scene);
+    for (const auto& [name, kind] : {std::pair{"tissue gave way, paused", SceneNote::Kind::paused},
+                                     {"stopped", SceneNote::Kind::stopped},
+                                     {"something is said", SceneNote::Kind::said}}) {
+        SceneState told = samples::pressed(1.0);
+        told.p_WYielded = {{0.010, -0.020, 0.030}};
+        told.note = {kind, QStringLiteral("Here it was"), QStringLiteral("Press Space.")};
+        scene.steps.push_back({QLatin1String(name), told, scene.setup});
+    }
+    scene.steps.push_back({QStringLiteral("nothing more is said"), samples::pressed(1.0)});
     return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "app/exercises/urethra_insertion/scene/notice_painter.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/scene3d/scene_note_painter.h"
 #include "gui/scene3d/picture_states.h"
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
@@ -72,7 +73,7 @@ std::map<QString, Kept> all() {
     return pictures;
 }
 
-/// What is painted on faces in the scene: bars, legends of maps, flags of findings, the notice.
+/// What is painted on faces in the scene: bars, legends of maps, flags of findings, the notice, notes.
 std::map<QString, std::function<void(QPainter&)>> faces() {
     std::map<QString, std::function<void(QPainter&)>> all;
     const auto add = [&all](const char* name, auto paint) {
@@ -111,6 +112,19 @@ std::map<QString, std::function<void(QPainter&)>> faces() {
                                      {"notice_without_room", QSizeF(30, 20)}})
         add(name, [room = room](QPainter& painter, const SceneSetup& setup) {
             NoticePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0);
+        });
+    const SceneNote paused{SceneNote::Kind::paused, QStringLiteral("Paused"),
+                           QStringLiteral("Press Space, and the work goes on where it was left.")};
+    const SceneNote stopped{SceneNote::Kind::stopped, QStringLiteral("Force is stopped"),
+                            QStringLiteral("Press R.")};
+    const SceneNote said{SceneNote::Kind::said, QStringLiteral("5.0 mm from the top"), {}};
+    for (const auto& [name, note, room] : {std::tuple{"note_paused", paused, QSizeF(560, 420)},
+                                           {"note_without_room", paused, QSizeF(300, 120)},
+                                           {"note_stopped", stopped, QSizeF(560, 420)},
+                                           {"note_said", said, QSizeF(560, 420)},
+                                           {"note_said_in_a_low_scene", said, QSizeF(300, 60)}})
+        add(name, [of = note, room = room](QPainter& painter, const SceneSetup& setup) {
+            SceneNotePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0, of);
         });
     return all;
 }

@@ -5,9 +5,11 @@
 #include "report/plot_view.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/kept_text.h"
 #include "support/languages.h"
 #include "support/patience.h"
 #include "support/picture_look.h"
+#include "support/screen_outline.h"
 
 #include <QDir>
 #include <QFrame>
@@ -42,12 +44,14 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs")), kPatience_ms);
         QVERIFY(!m_site->find<QTableWidget>(QStringLiteral("data.runs")));
         keep("empty");
+        hold("nobody yet");
     }
     void theRunScreenBeginsIt() {
         m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)},
                                                  {QStringLiteral("participant"), m_person}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
         keep("run");
+        hold("to be begun");
     }
     void marksOfEverybody() {
         addRuns(4);
@@ -73,6 +77,7 @@ private slots:
             QVERIFY2(legend.contains(table->item(row, 0)->text()), qPrintable(legend.join(u' ')));
         QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_errors")));
         keep("group");
+        hold("everybody");
     }
     void onePersonAndBackAgain() {
         auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
@@ -82,6 +87,11 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QComboBox>(QStringLiteral("data.run")), kPatience_ms);
         QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")));
         keep("person");
+        hold("one person");
+    }
+    void nothingElseIsKept() {
+        if (m_held > 1) // not of one test alone
+            QCOMPARE(m_kept.unseen(), QStringList());
     }
     void otherLooksAndLanguages() {
         for (const char* language : tests::otherLanguages()) {
@@ -119,9 +129,22 @@ private:
         tests::keepPicture(*m_site, QStringLiteral("apex_%1").arg(QLatin1String(name)));
     }
 
+    /// How the screen is made, against what was read and kept: CHIRON_STORE_OUTLINES=1
+    /// QT_QPA_PLATFORM=offscreen build/release/tests/gui/studies/test_apex_page
+    void hold(const char* name) {
+        QVERIFY(tests::waitUntilLoaded(*m_site));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        const QString differs =
+            m_kept.differs(QLatin1String(name), tests::ScreenOutline::of(*m_site->window->screen()));
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        ++m_held;
+    }
+
     std::unique_ptr<DesktopFixture> m_site;
     database::StudyNumber m_study = 0;
     QString m_person;
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_apex_page.txt")};
+    int m_held = 0;
 };
 
 QTEST_MAIN(TestApexPage)

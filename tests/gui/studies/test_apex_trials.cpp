@@ -7,8 +7,10 @@
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
+#include "support/kept_text.h"
 #include "support/patience.h"
 #include "support/picture_look.h"
+#include "support/screen_outline.h"
 #include "support/sitting_hands.h"
 
 #include <QDir>
@@ -222,6 +224,11 @@ void TestApexTrials::stop(desktop::TrialsScreen* screen) {
 void TestApexTrials::nothingGivesTheSphereAway() {
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen);
+    // Before the first moment of it, against what was read and kept: CHIRON_STORE_OUTLINES=1
+    // QT_QPA_PLATFORM=offscreen build/release/tests/gui/studies/test_apex_trials
+    tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_apex_trials.txt"));
+    const QString differs = kept.differs(QStringLiteral("trials"), tests::ScreenOutline::of(*screen));
+    QVERIFY2(differs.isEmpty(), qPrintable(differs));
     keep("instructions");
     QVERIFY(tests::beginTrials(screen));
     m_sessions = screen->live()->sessions(); // the free minute is one of its own

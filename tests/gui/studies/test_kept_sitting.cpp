@@ -350,7 +350,7 @@ private:
     /// What has changed since it was looked at last; all of it at first.
     void take(const char* moment, const QWidget& widget) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
-        m_lines << m_changes.of(tests::ScreenOutline::of(widget, true, true));
+        m_lines << m_changes.of(tests::ScreenOutline::of(widget));
     }
     void draw(const char* moment, desktop::PlacesView& view) {
         say(QStringLiteral("-- ") + QLatin1String(moment));

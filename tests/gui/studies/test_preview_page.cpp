@@ -6,9 +6,11 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
+#include "support/kept_text.h"
 #include "support/languages.h"
 #include "support/made_study.h"
 #include "support/patience.h"
+#include "support/screen_outline.h"
 #include "support/settled.h"
 
 #include <QCheckBox>
@@ -48,6 +50,7 @@ private slots:
     void whatIsAssumedDecidesWhatIsFound();
     void theCurveHasItsErrors();
     void oneConditionComparesNothing();
+    void isMadeAsItWas();
     void itsWordsFit();
 
 private:
@@ -201,6 +204,25 @@ void TestPreviewPage::oneConditionComparesNothing() {
         QVERIFY2(!find<QWidget>(field), field);
     preview();
     QVERIFY(detectable().isEmpty());
+}
+
+/// Its fields and what they come to, against what was read and kept: CHIRON_STORE_OUTLINES=1
+/// QT_QPA_PLATFORM=offscreen build/release/tests/gui/studies/test_preview_page
+void TestPreviewPage::isMadeAsItWas() {
+    tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_preview.txt"));
+    QStringList different;
+    for (const std::size_t conditions : {2U, 1U}) {
+        psychophysics::StudyDesign design = twoConditions();
+        design.conditions.resize(conditions);
+        show(design);
+        preview();
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms);
+        different << kept.differs(QStringLiteral("%1 conditions").arg(conditions),
+                                  tests::ScreenOutline::of(*m_page));
+    }
+    different.removeAll(QString());
+    QVERIFY2(different.isEmpty(), qPrintable(different.join(QLatin1Char('\n'))));
+    QCOMPARE(kept.unseen(), QStringList());
 }
 
 void TestPreviewPage::itsWordsFit() {

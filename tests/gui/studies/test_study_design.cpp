@@ -83,6 +83,9 @@ private slots:
     void onlyWhatAppliesIsThere();
     void stepsOfAStaircase();
     void faultsStandAtTheirFields();
+    void aFaultOfAnotherConditionIsShown();
+    void whatWasJustMadeWrongIsNotFrozen();
+    void aReferenceTakesNobodysName();
     void aTableOfNumbersIsPasted();
     void numbersAreReadAsTheyWereMeant();
     void anUnreadNumberKeepsItsPage();
@@ -531,6 +534,7 @@ void TestStudyDesign::shortNamesFollowTheirTitles() {
     openDraft(apex, StudyScreen::conditionsTab);
     type("condition.reference", QStringLiteral("25"));
     QCOMPARE(id(), std::string("sphere_25mm"));
+    QVERIFY(std::abs(design().conditions.front().stimulus.reference - 0.025) < 1e-12); // in metres
     QVERIFY(saved());
 }
 
@@ -548,7 +552,7 @@ void TestStudyDesign::aTableOfOneSideHasASmallest() {
     QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("differences.low"), kPatience_ms);
     QVERIFY2(faultAt("differences.low").isEmpty(), qPrintable(faultAt("differences.low")));
     const auto& now = design().conditions.front().stimulus.differences;
-    QVERIFY(now.front() > 0.0 && now.front() < now.back());
+    QVERIFY(std::abs(now.front() - std::log10(1.02)) < 1e-9 && now.front() < now.back()); // the usual one
     QVERIFY(std::abs(now.back() - std::log10(1.6)) < 1e-9); // the largest is kept
     step("trial.explore_limit");                            // nothing holds the page
 }
@@ -568,6 +572,16 @@ void TestStudyDesign::whatIsRemovedComesBack() {
     QCOMPARE(design().conditions.size(), std::size_t{2});
     QCOMPARE(design().conditions.front().id, std::string("stiffness"));
     QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("conditions.1"), kPatience_ms);
+    click("conditions.1"); // the one that is shown is removed
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    click("conditions.remove");
+    QCOMPARE(design().conditions.size(), std::size_t{1});
+    QCOMPARE(design().conditions.front().id, std::string("stiffness"));
+    told.back().action();
+    QCOMPARE(design().conditions.back().id, std::string("mass"));
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("conditions.1"), kPatience_ms);
+    click("conditions.0");
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 0, kPatience_ms);
     click("conditions.remove");
     QTRY_VERIFY_WITH_TIMEOUT(!shown<QPushButton>("conditions.1"), kPatience_ms);
     const auto undo = told.back().action;
@@ -990,6 +1004,64 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QVERIFY(saved());
 }
 
+/// On the page that is open already, the first condition is found from the second.
+void TestStudyDesign::aFaultOfAnotherConditionIsShown() {
+    openDraft(tests::smallStudy("first_wrong"), StudyScreen::conditionsTab);
+    const auto condition = [this] { return screen()->findChild<desktop::ConditionsPage*>()->shown(); };
+    click("conditions.1");
+    QTRY_COMPARE_WITH_TIMEOUT(condition(), 1, kPatience_ms);
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.conditions[0].stimulus.reference = -1.0; });
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
+    click("study.to_fault");
+    QTRY_COMPARE_WITH_TIMEOUT(condition(), 0, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(inFocus("condition.reference"), kPatience_ms);
+    click("study.undo");
+    QVERIFY(saved());
+}
+
+/// Nobody has to wait until it is noticed.
+void TestStudyDesign::whatWasJustMadeWrongIsNotFrozen() {
+    openDraft(tests::smallStudy("just_wrong"), StudyScreen::checkTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QAbstractButton>("check.freeze"), kPatience_ms);
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.conditions[1].stimulus.reference = -1.0; });
+    shown<QAbstractButton>("check.freeze")->click();
+    QVERIFY(!m_site->find<QDialog>(QStringLiteral("freeze")));
+    QTRY_COMPARE_WITH_TIMEOUT(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab),
+                              kPatience_ms);
+    click("study.undo");
+    QVERIFY(saved());
+}
+
+/// What a name would become may be another condition's already, whichever of them comes first.
+void TestStudyDesign::aReferenceTakesNobodysName() {
+    psychophysics::StudyDesign study = tests::smallStudy("references");
+    study.conditions[1] = study.conditions[0];
+    study.conditions[0].title["en"] = "Tube of 450 N/m";
+    study.conditions[0].id = "tube_450";
+    study.conditions[0].stimulus.reference = 450.0;
+    study.conditions[1].title["en"] = "Tube of 300 N/m (2)";
+    study.conditions[1].id = "tube_300_2";
+    openDraft(study, StudyScreen::conditionsTab);
+    click("conditions.1");
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    shown<QDoubleSpinBox>("condition.reference")->setValue(450.0); // at once
+    QCOMPARE(design().conditions[1].title.at("en"), std::string("Tube of 450 N/m (2)"));
+    QCOMPARE(design().conditions[1].id, std::string("tube_450_2"));
+    QVERIFY(saved());
+    study = tests::smallStudy("named_alike");
+    study.conditions[0].title["en"] = "Stiffness";
+    study.conditions[1].title["en"] = "Mass";
+    openDraft(study, StudyScreen::conditionsTab);
+    click("conditions.1");
+    QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    type("condition.title", QStringLiteral("Stiffness"));
+    QCOMPARE(design().conditions[1].id, std::string("stiffness_2"));
+    type("condition.title", QStringLiteral("Mass"));
+    QVERIFY(saved());
+}
+
 /// 41 numbers from a German table; one that is none; one that would be less than nothing.
 void TestStudyDesign::aTableOfNumbersIsPasted() {
     psychophysics::StudyDesign study = tests::smallStudy("pasted");
@@ -1013,7 +1085,10 @@ void TestStudyDesign::aTableOfNumbersIsPasted() {
              std::size_t{41}); // nothing of it is taken
     QGuiApplication::clipboard()->setText(QStringLiteral("-120\n5"));
     click("differences.levels.paste");
-    QVERIFY(faultAt("differences.levels").contains(QStringLiteral("less than nothing")));
+    QVERIFY2(faultAt("differences.levels").contains(QStringLiteral("less than nothing")) &&
+                 faultAt("differences.levels").contains(QStringLiteral("120 %")) &&
+                 !faultAt("differences.levels").contains(QStringLiteral("-120")),
+             qPrintable(faultAt("differences.levels")));
     QGuiApplication::clipboard()->setText(
         QStringLiteral("-50; -20; -10")); // the reference above all of them: no ranking has a least one
     click("differences.levels.paste");
@@ -1073,6 +1148,7 @@ void TestStudyDesign::aConditionHasItsOwnInstructions() {
     one.conditions.resize(1);
     openDraft(one, StudyScreen::conditionsTab);
     QVERIFY(find<QWidget>("condition.title") && !find<QPlainTextEdit>("condition.instructions"));
+    QVERIFY(!find<QPushButton>("conditions.remove")->isEnabled()); // a study has at least one
     click("conditions.copy");
     QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions"), kPatience_ms);

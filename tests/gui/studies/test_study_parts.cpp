@@ -218,15 +218,17 @@ void TestStudyParts::draftsAreUndone() {
     desktop::StudyDraft draft;
     draft.load(desktop::plainStudy());
     const std::string before = draft.design().title.at("en");
+    QSignalSpy structure(&draft, &desktop::StudyDraft::structureChanged);
     for (const char* title : {"A", "AB", "ABC"}) // typing is one step
         draft.change(QStringLiteral("title"), QStringLiteral("title"),
                      [&](psychophysics::StudyDesign& design) { design.title["en"] = title; });
     QCOMPARE(draft.history().count(), 1);
+    QCOMPARE(structure.count(), 0); // nothing was added, removed or moved
     draft.history().undo();
     QCOMPARE(draft.design().title.at("en"), before);
     draft.history().redo();
     QCOMPARE(draft.design().title.at("en"), std::string("ABC"));
-    QSignalSpy structure(&draft, &desktop::StudyDraft::structureChanged);
+    structure.clear();
     draft.change(
         QStringLiteral("procedure"), {},
         [](psychophysics::StudyDesign& design) {
@@ -297,8 +299,14 @@ void TestStudyParts::requiredItemsAreMissed() {
 
 void TestStudyParts::previewKnowsItsObserver() {
     const psychophysics::StudyDesign study = tests::smallStudy("one");
+    std::vector<double> shares;
     const auto result =
-        desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 8, [](double) { return true; });
+        desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 8, [&shares](double share) {
+            shares.push_back(share);
+            return true;
+        });
+    QVERIFY(shares.size() > 2 && shares.front() == 0.0 && shares.back() <= 1.0);
+    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
     QVERIFY2(result, result ? "" : result.error().message.c_str());
     QCOMPARE(result->plan.runs, 8);
     QVERIFY(std::abs(result->plan.biasLog10) < 0.2);
@@ -483,6 +491,9 @@ void TestStudyParts::quantitiesAreReadWithTheirUnits() {
                              Case{"300 mN", "N", Fault::none, 0.3},
                              Case{"200 mm/s", "m/s", Fault::none, 0.2},
                              Case{"4 Ns/m", "N\u00B7s/m", Fault::none, 4.0},
+                             Case{"4 N\u22C5s/m", "N\u00B7s/m", Fault::none, 4.0},
+                             Case{"4 N*s/m", "N\u00B7s/m", Fault::none, 4.0},
+                             Case{"4 N\u00B7s/mm", "N\u00B7s/m", Fault::none, 4000.0},
                              Case{"30 %", "", Fault::none, 0.3},
                              Case{"5 %", "%", Fault::none, 5.0},
                              Case{"0.3 kg", "N/m", Fault::otherUnit, 0.0},
@@ -542,6 +553,15 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
     QVERIFY2(grid->faultOf(QStringLiteral("reference")).contains(QStringLiteral("from 0")),
              qPrintable(grid->faultOf(QStringLiteral("reference"))));
     QCOMPARE(taken, 300.0);
+    const auto* fault = grid->findChild<QWidget*>(QStringLiteral("reference.fault"));
+    QVERIFY(fault);
+    QTRY_VERIFY(fault->mapTo(&page, QPoint()).y() > field->mapTo(&page, QPoint()).y()); // below its field
+    auto* large = grid->number(QStringLiteral("Large"), QStringLiteral("large"), 1.0, {0, 1.5e6, 0, {}, 1},
+                               [](double) {});
+    typeInto(large, QStringLiteral("2000000"));
+    QVERIFY2(grid->faultOf(QStringLiteral("large")).contains(QStringLiteral("1,500,000")), // as people write
+             qPrintable(grid->faultOf(QStringLiteral("large"))));
+    typeInto(large, QStringLiteral("2"));
     typeInto(field, QStringLiteral("120"));
     QCOMPARE(taken, 120.0);
     QVERIFY(grid->faultOf(QStringLiteral("reference")).isEmpty() && grid->firstUnread().isEmpty());

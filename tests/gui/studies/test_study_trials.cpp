@@ -2,8 +2,10 @@
 // A sitting: instructions, trials by keyboard, stop, and on again at the same trial.
 #include "desktop/study_run/trials_screen.h"
 #include "desktop/widgets/state_panel.h"
+#include "support/kept_text.h"
 #include "support/languages.h"
 #include "support/patience.h"
+#include "support/screen_outline.h"
 #include "support/sitting_hands.h"
 
 #include <QComboBox>
@@ -108,6 +110,11 @@ void TestStudyTrials::unknownParticipantIsSaid() {
 void TestStudyTrials::trialsAreAnsweredAndKept() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
+    // Before the first moment of it, against what was read and kept: CHIRON_STORE_OUTLINES=1
+    // QT_QPA_PLATFORM=offscreen build/release/tests/gui/studies/test_study_trials
+    tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_trials.txt"));
+    const QString differs = kept.differs(QStringLiteral("trials"), tests::ScreenOutline::of(*screen));
+    QVERIFY2(differs.isEmpty(), qPrintable(differs));
     for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
         QVERIFY2(!label->text().contains(QStringLiteral("N/m")) &&
                      !label->text().contains(QStringLiteral("Stiffness")),

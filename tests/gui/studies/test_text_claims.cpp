@@ -57,6 +57,7 @@ private slots:
     }
     void everyTemplateIsTrue();
     void anotherReferenceIsFoundInEveryTitle();
+    void everyUnitOfATitleIsRead();
     void anotherTaskIsFound();
     void whatIsSeenIsFound();
     void anotherCriterionIsFound();
@@ -103,6 +104,35 @@ void TestTextClaims::anotherReferenceIsFoundInEveryTitle() {
             ++found;
         }
     QVERIFY(found >= 10);
+}
+
+/// A title is true with the value in any unit of what it measures, and false with the same number in another.
+void TestTextClaims::everyUnitOfATitleIsRead() {
+    using psychophysics::Attribute;
+    for (const auto& [attribute, reference, yes, no] :
+         {std::tuple{Attribute::stiffness, 60.0, "60 N/m", "60 g"},
+          {Attribute::viscosity, 4.0, "4 N·s/m", "4 N/m"},
+          {Attribute::mass, 0.25, "0.25 kg", "0.25 g"},
+          {Attribute::mass, 0.25, "250 g", "250 kg"},
+          {Attribute::deformation, 0.3, "0.3 s", "0.3 ms"},
+          {Attribute::deformation, 0.3, "300 ms", "300 s"},
+          {Attribute::apex, 0.02, "20 mm", "20 cm"},
+          {Attribute::apex, 0.02, "2 cm", "2 mm"},
+          {Attribute::roughness, 3e-5, "30 µm", "30 mm"},
+          {Attribute::friction, 0.3, "0.3", "0.4"}}) {
+        StudyDesign design = of("stiffness_elastic_tube");
+        design.objective = {{"en", "To see."}};
+        design.ownInstructions = psychophysics::StudyText{{"en", "Pull."}};
+        design.conditions.resize(1);
+        psychophysics::StimulusDesign& stimulus = design.conditions.front().stimulus;
+        stimulus.attribute = attribute;
+        stimulus.reference = reference;
+        for (const auto& [words, stands] : {std::pair{yes, true}, {no, false}}) {
+            design.conditions.front().title = {{"en", std::string("Of ") + words}};
+            const auto claims = desktop::falseClaims(design, kEnglish);
+            QVERIFY2(languagesOf(claims, FalseClaim::Where::title).empty() == stands, words);
+        }
+    }
 }
 
 void TestTextClaims::anotherTaskIsFound() {

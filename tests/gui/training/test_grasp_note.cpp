@@ -120,6 +120,20 @@ private slots:
                     .isEmpty()); // on the way elsewhere, perhaps
         const QString said = closing.after({atTube(2.0, kClosed_rad, 0.002)});
         QVERIFY2(said.contains(QStringLiteral("jaws are closed")), qPrintable(said));
+        // To the tick: after its patience, from the first moment on, and as long as something is said.
+        const haptics::DisplayState begins = atTube(0.0, kClosed_rad, 0.002);
+        haptics::DisplayState waits = begins;
+        waits.now_ns = GraspNote::kPatience_ns - 1;
+        QVERIFY(Closing(level("elastic_tube", true)).after({begins, waits}).isEmpty());
+        waits.now_ns = GraspNote::kPatience_ns;
+        QVERIFY(!Closing(level("elastic_tube", true)).after({begins, waits}).isEmpty());
+        haptics::DisplayState away = atTube(0.0, kClosed_rad, 0.020); // who left it comes to it anew
+        away.now_ns = GraspNote::kPatience_ns / 2;
+        QVERIFY(Closing(level("elastic_tube", true)).after({begins, away, waits}).isEmpty());
+        Closing last(level("elastic_tube", true));
+        (void)last.after({atTube(1.0, kOpen_rad, 0.012), atTube(2.0, kClosed_rad, 0.012)});
+        QVERIFY(!last.at(2.0 + 1e-9 * GraspNote::kSaid_ns).isEmpty());
+        QVERIFY(last.at(2.001 + 1e-9 * GraspNote::kSaid_ns).isEmpty());
     }
 
     void whatTheFoldCoversCannotBeGrasped() {

@@ -300,7 +300,7 @@ private:
     }
     /// The screen, and of what draws itself what it draws at a size of its own.
     static QStringList outline(desktop::TrainingScreen& screen) {
-        QStringList lines = tests::ScreenOutline::of(screen, true, true);
+        QStringList lines = tests::ScreenOutline::of(screen);
         lines.removeIf([](const QString& line) {
             return line.contains(QLatin1String("QScrollBar")) || line.contains(QLatin1String("524287"));
         }); // Qt's own

@@ -8,6 +8,7 @@
 #include "app/exercises/palpation/desktop/size_row.h"
 #include "catalogue/catalogue.h"
 #include "desktop/debrief/band_bar.h"
+#include "desktop/debrief/meaning_table.h"
 #include "desktop/home/exercise_picture.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/role_chips.h"
@@ -27,11 +28,13 @@
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
+#include "support/patience.h"
 
 #include <QStandardItemModel>
 #include <QTableView>
 #include <QtTest>
 #include <cmath>
+#include <functional>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -68,6 +71,28 @@ Made cells(const Theme& theme, bool chips) {
     view->selectionModel()->select(model->index(1, 0),
                                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
     return view;
+}
+
+/// Rows with what they mean below their names, short and long, and one of which nothing more is said.
+Made meanings(const Theme& theme) {
+    auto table = std::make_unique<MeaningTable>(theme, 3);
+    table->setHorizontalHeaderLabels(
+        {QStringLiteral("Metric"), QStringLiteral("Value"), QStringLiteral("Nothing")});
+    table->setRowCount(3);
+    const char* const words[] = {
+        "How long it took, from the first movement to the mark.",
+        "How far the mark lies from the true top, measured across, as a share of the "
+        "radius, whether the ball was seen or not.",
+        ""};
+    for (int row = 0; row < 3; ++row) {
+        auto* name = new QTableWidgetItem(QStringLiteral("Metric %1").arg(row + 1));
+        name->setData(Qt::AccessibleDescriptionRole, QLatin1String(words[row]));
+        table->setItem(row, 0, name);
+        table->setItem(row, 1, new QTableWidgetItem(QString::number(1.5 * row)));
+    }
+    table->hideEmptyColumns();
+    table->selectRow(1);
+    return table;
 }
 
 Made palpationMap(const Theme& theme, const QLocale& locale) {
@@ -201,6 +226,7 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale,
     scrubber->setPosition(14.0);
     all[QStringLiteral("scrubber")] = std::move(scrubber);
     all[QStringLiteral("palpation_map")] = palpationMap(theme, locale);
+    all[QStringLiteral("meanings")] = meanings(theme);
     for (const bool chips : {false, true})
         all[chips ? QStringLiteral("cells_chips") : QStringLiteral("cells_plain")] = cells(theme, chips);
     // ---- what an exercise and a comparison look like ----
@@ -233,6 +259,26 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale,
     }
     return all;
 }
+
+/// Counts how often a widget or a part of it is painted.
+class Paints : public QObject {
+public:
+    explicit Paints(QWidget& of) {
+        of.installEventFilter(this);
+        for (QWidget* part : of.findChildren<QWidget*>())
+            part->installEventFilter(this);
+    }
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        count += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+};
+
+/// What changes what a widget shows, by its name.
+using Changes = std::vector<std::pair<const char*, std::function<void()>>>;
 
 } // namespace
 
@@ -275,6 +321,76 @@ private slots:
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     void nothingElseIsKept() { QCOMPARE(m_outlines.unseen(), QStringList()); }
+
+    void aScrubberOfNothingHasItsPlaces() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        Scrubber scrubber(theme);
+        scrubber.resize(400, 52);
+        QCOMPARE(scrubber.xOf(0.0), 12.0);
+        QCOMPARE(scrubber.xOf(3.0), 12.0);
+    }
+
+    /// At once, and not when something else happens to paint the window.
+    void whatIsNewIsPainted() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        const QLocale locale(QLocale::English, QLocale::UnitedKingdom);
+        ForceBar force(theme, locale, {QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, true);
+        TargetBar target(theme, locale, {QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, true);
+        SignedBar along(theme, locale,
+                        {QStringLiteral("Fx"), QStringLiteral("Force along x"), QStringLiteral("N"), 2.0, 2},
+                        true, true);
+        LeanDial lean(theme, locale, 1);
+        SizeRow size(theme, locale, 0.0075);
+        SoundSign sound(theme);
+        SoundCues cues;
+        cues.force_N = 0.8;
+        cues.contacts = 1;
+        LatenessChart chart(theme, locale);
+        session::LatenessBins bins;
+        bins.counts = {40, 3000, 52'000, 31'000, 9000, 700, 90, 12, 3, 0, 1};
+        Scrubber scrubber(theme);
+        session::PlaybackTrack track;
+        track.duration_s = 40.0;
+        PlacesSetup setup;
+        setup.names = {QStringLiteral("left"), QStringLiteral("middle"), QStringLiteral("right")};
+        PlacesView places(theme, setup);
+        PlacesView::Now now;
+        now.objects = true;
+        const std::vector<std::pair<QWidget*, Changes>> all{
+            {&force, {{"a force", [&] { force.setValue(2.0); }}}},
+            {&target,
+             {{"a band", [&] { target.setBand(1.05, 1.35); }},
+              {"a limit", [&] { target.setLimit(2.5); }},
+              {"a tension", [&] { target.setValue(1.2); }}}},
+            {&along, {{"a force along x", [&] { along.setValue(-1.4); }}}},
+            {&lean, {{"a lean", [&] { lean.setLean(0, 0.2, -0.15, false); }}}},
+            {&size, {{"a size", [&] { size.setRadius(0.003); }}}},
+            {&sound, {{"a sound", [&] { sound.show(cues, true, 1'000'000'000); }}}},
+            {&chart, {{"how late it was", [&] { chart.setBins(bins); }}}},
+            {&scrubber,
+             {{"a recording", [&] { scrubber.setTrack(track, "sphere_apex", {}); }},
+              {"another of its length", [&] { scrubber.setTrack(track, "urethra_insertion", {}); }},
+              {"comments", [&] { scrubber.setComments({25.0}); }},
+              {"a moment", [&] { scrubber.setPosition(14.0); }}}},
+            {&places,
+             {{"objects", [&] { places.show({}, now); }},
+              {"marks", [&] {
+                   places.setMarks({QStringLiteral("1st"), {}, {}});
+               }}}}};
+        for (const auto& [widget, changes] : all) {
+            widget->resize(420, 200);
+            widget->show();
+            QVERIFY(QTest::qWaitForWindowExposed(widget));
+            Paints paints(*widget);
+            for (const auto& [name, change] : changes) {
+                QTest::qWait(20); // until it rests
+                paints.count = 0;
+                change();
+                QTRY_VERIFY2_WITH_TIMEOUT(paints.count > 0, name, tests::kPatience_ms);
+            }
+            widget->hide();
+        }
+    }
 
 private:
     catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");

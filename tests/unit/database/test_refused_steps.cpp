@@ -3,11 +3,11 @@
 #include "study_site.h"
 
 #include "database/access/authorise.h"
+#include "support/refusing_opened.h"
 
 #include <QDir>
 #include <QRandomGenerator>
 #include <QRegularExpression>
-#include <atomic>
 #include <sqlite3.h>
 
 using namespace chiron;
@@ -53,35 +53,6 @@ private:
     sqlite3* m_handle;
     int m_which;
     int m_seen = 0;
-};
-
-/// Refuses one statement among those of all connections that are opened during its lifetime, on any thread.
-class RefusingAllOpened {
-public:
-    explicit RefusingAllOpened(int which) {
-        s_which = which;
-        s_seen = 0;
-        sqlite3_auto_extension(reinterpret_cast<void (*)()>(&opened));
-    }
-    ~RefusingAllOpened() { sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(&opened)); }
-    RefusingAllOpened(const RefusingAllOpened&) = delete;
-    RefusingAllOpened& operator=(const RefusingAllOpened&) = delete;
-
-    int seen() const { return s_seen; }
-
-private:
-    static int opened(sqlite3* handle, const char**, const void*) {
-        sqlite3_set_authorizer(
-            handle,
-            [](void*, int action, const char*, const char*, const char*, const char*) {
-                const bool begins = action == SQLITE_SELECT || action == SQLITE_INSERT ||
-                                    action == SQLITE_UPDATE || action == SQLITE_DELETE;
-                return begins && ++s_seen == s_which ? SQLITE_DENY : SQLITE_OK;
-            },
-            nullptr);
-        return SQLITE_OK;
-    }
-    static inline std::atomic<int> s_which, s_seen;
 };
 
 struct Tried {
@@ -265,7 +236,7 @@ void TestRefusedSteps::upkeepLeavesNothingHalfDone() {
     QStringList whole;
     {
         const QStringList before = files();
-        const RefusingAllOpened refusing(0);
+        const tests::RefusingAllOpened refusing(0);
         REQUIRE(call.run(**reader, m_actors.front(), -1));
         steps = refusing.seen();
         whole = newFiles(before);
@@ -276,7 +247,7 @@ void TestRefusedSteps::upkeepLeavesNothingHalfDone() {
     qInfo("every %dth statement from %d on", kEvery, first);
     for (int which = first; which <= steps; which += kEvery) {
         const QStringList before = files();
-        const RefusingAllOpened refusing(which);
+        const tests::RefusingAllOpened refusing(which);
         const auto outcome = call.run(**reader, m_actors.front(), -1);
         if (refusing.seen() < which)
             continue;
