@@ -483,7 +483,7 @@ private slots:
         plan.exercise = QStringLiteral("palpation");
         plan.level = 4;
         plan.operatorName = QStringLiteral("expert");
-        plan.forceMap = mechanisms::PolarMap::asPublished;
+        plan.forceMap = QStringLiteral("as-published");
         plan.traceFile = QStringLiteral("/a/hand.csv");
         plan.workspace.scale = 0.75;
         plan.workspace.origin_m = {0.01, 0.02, 0.03};
