@@ -3,7 +3,7 @@
 // loaded at run time.
 #include "app/exercises/elastic_tube/scene/tube_content.h"
 #include "app/exercises/object_handling/scene/handling_content.h"
-#include "app/exercises/palpation/scene/palpation_content.h"
+#include "app/exercises/palpation/scene/palpation_scene_content.h"
 #include "app/exercises/sphere_apex/scene/apex_content.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_stage.h"
 #include "desktop/scene3d/plugin/scene_content.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/level_cues.h"
 
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 namespace chiron::session {
 

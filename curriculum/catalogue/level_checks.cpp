@@ -3,7 +3,7 @@
 
 #include "catalogue/exercise_contents.h"
 #include "scoring/metric_catalogue.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

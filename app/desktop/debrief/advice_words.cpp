@@ -4,7 +4,7 @@
 #include "catalogue/exercise.h"
 #include "core/units.h"
 #include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/report_text.h"
 #include "session_report/mark_words.h"
 

@@ -7,7 +7,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/file_folder.h"
 #include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"

@@ -2,7 +2,7 @@
 #include "desktop/debrief/verdict.h"
 
 #include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/report_text.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 #include "desktop/home/exercise_picture.h"
 
 #include "desktop/exercise_face.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <QPainter>
 #include <QPainterPath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/mark_list.h"
 
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
 

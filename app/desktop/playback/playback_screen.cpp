@@ -7,7 +7,7 @@
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/scrubber.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/sessions/session_words.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/scrubber.h"
 
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/playback/playback_clock.h"
 
 #include <QHelpEvent>

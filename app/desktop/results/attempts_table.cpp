@@ -2,7 +2,7 @@
 #include "desktop/results/attempts_table.h"
 
 #include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/sessions/session_words.h"
 #include "report/report_text.h"
 

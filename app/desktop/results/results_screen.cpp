@@ -7,7 +7,7 @@
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/attempts_table.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_part.h"

@@ -10,7 +10,7 @@
 #include "desktop/debrief/report_words.h"
 #include "desktop/exercise_face.h"
 #include "desktop/playback/playback_scene.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"

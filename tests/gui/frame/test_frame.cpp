@@ -4,7 +4,7 @@
 #include "desktop/frame/background.h"
 #include "desktop/frame/command_palette.h"
 #include "desktop/frame/instance_link.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/login/login_screen.h"
 #include "desktop/sessions/session_table_model.h"

@@ -5,7 +5,7 @@
 // is seen.
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"

@@ -4,7 +4,7 @@
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/exercise_face.h"
 #include "desktop/playback/grasp_moment.h"
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"

@@ -6,7 +6,7 @@
 // review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_reports
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/check_record.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"

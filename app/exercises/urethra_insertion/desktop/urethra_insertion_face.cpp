@@ -12,7 +12,7 @@
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

@@ -6,7 +6,7 @@
 #include "mechanisms/five_bar_plant_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "simulation/geometry/urethra/urethra_validity_setup.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <algorithm>
 #include <utility>

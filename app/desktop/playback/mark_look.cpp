@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 
 namespace chiron::desktop {
 
