@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QHash>
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -131,6 +132,8 @@ private slots:
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
     void everyExerciseIsInTheLists();
+    void everyHeaderHasANameOfItsOwn();
+    void cuesAreAskedForInOnePlace();
 };
 
 void TestExerciseSlices::codeIsReadWithoutComments() {
@@ -310,6 +313,38 @@ void TestExerciseSlices::everyExerciseIsInTheLists() {
                  .contains(QLatin1String("(catalogue IN ")))
             wrong << QStringLiteral("curriculum/exercises/%1: its levels cannot be read").arg(id);
     }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// Whoever reads the name of a header knows which one it is, whatever folder it was found in.
+void TestExerciseSlices::everyHeaderHasANameOfItsOwn() {
+    QHash<QString, QString> found;
+    QStringList wrong;
+    for (const QString& path : productSources()) {
+        if (!path.endsWith(QLatin1String(".h")))
+            continue;
+        QString& first = found[path.section(u'/', -1)];
+        if (first.isEmpty())
+            first = path;
+        else
+            wrong << QStringLiteral("%1 and %2").arg(first, path);
+    }
+    QVERIFY(found.size() > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// Whether a level has a cue is asked by simulation::hasCue, and not by a search of one's own.
+void TestExerciseSlices::cuesAreAskedForInOnePlace() {
+    static const QRegularExpression search(
+        QStringLiteral("std::(find|count|any_of)\\([^;]*\\bcues(\\.|->)begin\\(\\)[^;]*(cue|word|\")"));
+    const QString own =
+        QStringLiteral("bool f() { return std::find(l.cues.begin(), l.cues.end(), \"object\") != e; }");
+    QVERIFY(readSource(own).code.contains(search));
+    QStringList wrong;
+    for (const QString& path : productSources())
+        if (path != QLatin1String("modules/simulation/scene_parameters.h") &&
+            readSource(contentOf(path)).code.contains(search))
+            wrong << path;
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 

@@ -10,9 +10,9 @@
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
-#include "desktop/plots/metric_words.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
+#include "session_report/metric_words.h"
 #include "support/every_place.h"
 #include "support/palpation_session.h"
 
@@ -285,7 +285,8 @@ private slots:
     void everyMetricHasWords() {
         const auto* level = m_desktop->context.site().catalogue().find("palpation", 1);
         for (const auto& metric : level->metrics)
-            QVERIFY2(!desktop::metricMeaning(QString::fromStdString(metric.id)).isEmpty(), metric.id.c_str());
+            QVERIFY2(!session_report::metricMeaning(QString::fromStdString(metric.id)).isEmpty(),
+                     metric.id.c_str());
     }
 
 private:
