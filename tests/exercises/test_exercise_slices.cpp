@@ -47,7 +47,8 @@ bool mayNameExercises(const QString& path) {
         QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
         QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/"
-                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$"));
+                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$|"
+                       "^app/exercises/exercise_catalogue\\.h$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
@@ -57,7 +58,8 @@ const QString kStudyTask = QStringLiteral("comparison");
 
 /// The task's own files.
 bool isOfTheStudyTask(const QString& path) {
-    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content|facts)\\.(h|cpp)$"));
+    static const QRegularExpression own(
+        QStringLiteral("/comparison_(kind|face|content|facts|reporter)\\.(h|cpp)$"));
     return own.match(path).hasMatch();
 }
 
@@ -165,7 +167,8 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QCOMPARE(whatItDoes(task, QStringLiteral("app/session/study/comparison_kind.h")), QString());
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
     QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") &&
-            mayNameExercises("app/exercises/flat_catalogue.cpp"));
+            mayNameExercises("app/exercises/flat_catalogue.cpp") &&
+            mayNameExercises("app/exercises/exercise_catalogue.h"));
     QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") &&
             !mayNameExercises("app/session/exercise_kind.h"));
 }

@@ -279,7 +279,7 @@ void PlaybackScreen::seekMark(int direction) {
     const double now_s = m_clock.position_s();
     std::optional<double> target_s;
     for (const session::PlaybackMark& mark : m_data->track.marks) {
-        if (mark.kind == session::PlaybackMarkKind::contact)
+        if (mark.kind == session::mark_kinds::kContact)
             continue;
         if (direction > 0 && mark.t_s > now_s + kHere_s && !target_s)
             target_s = mark.t_s;

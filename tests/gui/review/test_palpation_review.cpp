@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/desktop/palpation_map_view.h"
 #include "app/exercises/palpation/desktop/roc_box.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/playback/playback_plots.h"
@@ -149,15 +150,15 @@ private slots:
             return std::count_if(events->begin(), events->end(),
                                  [kind](const auto& event) { return event.kind == kind; });
         };
-        const auto marked = [&](session::PlaybackMarkKind kind) {
+        const auto marked = [&](const session::PlaybackMarkKind& kind) {
             return std::count_if(data.track.marks.begin(), data.track.marks.end(),
                                  [kind](const auto& mark) { return mark.kind == kind; });
         };
         QVERIFY(scored("palpation_misses") > 0 && scored("palpation_false_alarms") > 0);
         QCOMPARE(stored("lump_missed"), scored("palpation_misses"));
         QCOMPARE(stored("false_alarm"), scored("palpation_false_alarms"));
-        QCOMPARE(marked(session::PlaybackMarkKind::lumpMissed), scored("palpation_misses"));
-        QCOMPARE(marked(session::PlaybackMarkKind::falseAlarm), scored("palpation_false_alarms"));
+        QCOMPARE(marked(session::mark_kinds::kLumpMissed), scored("palpation_misses"));
+        QCOMPARE(marked(session::mark_kinds::kFalseAlarm), scored("palpation_false_alarms"));
         QVERIFY(std::is_sorted(events->begin(), events->end(),
                                [](const auto& a, const auto& b) { return a.tick < b.tick; }));
         for (const database::EventRecord& event : *events)
