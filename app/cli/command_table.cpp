@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_table.h"
 
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
-#include "cli/messages.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/csv_table.h"
 
+#include "cli/cli_errors.h"
 #include "cli/input_file.h"
-#include "cli/messages.h"
 
 #include <algorithm>
 #include <limits>

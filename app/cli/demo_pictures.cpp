@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/demo_pictures.h"
 
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 #include "database/accounts/account_service.h"
 #include "report/report_writer.h"
 #include "session/exercise_kind.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/command.h"
+#include "cli/command_spec.h"
 #include "mechanisms/fingertip_arm_verification.h"
 #include "mechanisms/fingertip_verification.h"
 

@@ -2,7 +2,7 @@
 #include "cli/input_file.h"
 
 #include "catalogue/whole_file.h"
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 
 #include <QFile>
 #include <QJsonDocument>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/law_table.h"
 
+#include "cli/cli_errors.h"
 #include "cli/input_file.h"
-#include "cli/messages.h"
-#include "mechanisms/evaluate_laws.h"
+#include "mechanisms/mechanism_laws.h"
 #include "simulation/evaluate_laws.h"
 
 #include <QJsonObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/command.h"
+#include "cli/command_spec.h"
 #include "scoring/score_card.h"
 #include "session/score_json.h"
 

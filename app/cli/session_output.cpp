@@ -27,8 +27,8 @@ QJsonObject parsed(const std::string& json) {
     return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
 }
 
-/// The devices of the session, one entry per tool: driver, model, and how a gimbal's force was converted to
-/// torques.
+/// The devices of the session, one entry per tool: driver, model, and how force was converted to efforts
+/// where there is a choice.
 QJsonArray devicesJson(const database::SessionRecord& record) {
     QJsonArray list;
     const auto setup = session::setupFromStored(record.setup);
@@ -40,9 +40,8 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
                           {"model", text(device.model)},
                           {"kinematics", text(device.kinematics)}};
         if (const devices::KinematicsEntry* kinematics = devices::findKinematics(device.kinematics);
-            kinematics && kinematics->mapOf)
-            entry.insert("force_map",
-                         kinematics->mapOf(device) == mechanisms::PolarMap::exact ? "exact" : "as-published");
+            kinematics && kinematics->forceMaps)
+            entry.insert("force_map", text(std::string(kinematics->forceMaps->of(device))));
         if (const devices::WorkspaceMapping& mapping = setup->mappings[tool]; mapping.turned())
             entry.insert("base_turn", QJsonArray{mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2],
                                                  mapping.q_WD[3]}); // w, x, y, z

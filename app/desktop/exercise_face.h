@@ -34,7 +34,7 @@ struct DepthOfField {
 };
 
 /// Everything on the screens that is specific to one kind of exercise. A new kind adds a derived class and
-/// one line in app/exercises/face_catalogue.cpp. Implementations are stateless.
+/// its line in app/exercises/exercise_catalogue.h. Implementations are stateless.
 class ExerciseFace {
 public:
     ExerciseFace() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that are drawn flat, one line each.
+// The exercises that are drawn flat: one for each line of exercise_catalogue.h.
 #include "app/exercises/elastic_tube/scene/flat_tube.h"
+#include "app/exercises/exercise_catalogue.h"
 #include "app/exercises/object_handling/scene/flat_handling.h"
 #include "app/exercises/palpation/scene/flat_palpation.h"
 #include "app/exercises/sphere_apex/scene/flat_apex.h"
@@ -38,18 +39,17 @@ struct FlatLine {
     NameMarks marks;
 };
 
-template <class Content, class Parameters> constexpr FlatLine lineOf(const char* exercise) {
-    return {exercise, &flat<Content, Parameters>, &marks<Content, Parameters>};
+template <class Exercise> constexpr FlatLine lineOf() {
+    using Content = typename Exercise::Flat;
+    using Parameters = typename Exercise::Parameters;
+    return {Exercise::kId, &flat<Content, Parameters>, &marks<Content, Parameters>};
 }
 
-constexpr std::array kFlatCatalogue{
-    lineOf<FlatApex, simulation::SphereApexParameters>("sphere_apex"),
-    lineOf<FlatUrethra, simulation::UrethraInsertionParameters>("urethra_insertion"),
-    lineOf<FlatTube, simulation::ElasticTubeParameters>("elastic_tube"),
-    lineOf<FlatHandling, simulation::ObjectHandlingParameters>("object_handling"),
-    lineOf<FlatPalpation, simulation::PalpationParameters>("palpation"),
-    lineOf<FlatComparison, simulation::ComparisonParameters>("comparison"),
-};
+template <class... Exercises> constexpr auto linesOf(exercises::List<Exercises...>) {
+    return std::array{lineOf<Exercises>()...};
+}
+
+constexpr auto kFlatCatalogue = linesOf(exercises::All{});
 
 } // namespace
 

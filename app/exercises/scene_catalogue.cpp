@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that are drawn in 3D, one line each. This file belongs to the library with Qt3D, which is
-// loaded at run time.
+// The exercises that are drawn in 3D: one for each line of exercise_catalogue.h that has a stage. This file
+// belongs to the library with Qt3D, which is loaded at run time.
 #include "app/exercises/elastic_tube/scene/tube_content.h"
+#include "app/exercises/exercise_catalogue.h"
 #include "app/exercises/object_handling/scene/handling_content.h"
-#include "app/exercises/palpation/scene/palpation_content.h"
+#include "app/exercises/palpation/scene/palpation_scene_content.h"
 #include "app/exercises/sphere_apex/scene/apex_content.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_stage.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/scene_stage.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <array>
+#include <type_traits>
 
 namespace chiron::scene3d {
 
@@ -30,29 +33,35 @@ std::unique_ptr<ISceneContent> content(const SceneSetup& setup, SharedLight& lig
 }
 
 struct Line {
-    const char* exercise;
-    MakeStage stage;
-    MakeContent content; ///< content of the laparoscopic stage
+    const char* exercise = "";
+    MakeStage stage = nullptr;     ///< null: it is drawn flat only
+    MakeContent content = nullptr; ///< content of the laparoscopic stage
     /// True if the parameters belong to this exercise.
-    bool (*fits)(const SceneSetup& setup);
+    bool (*fits)(const SceneSetup& setup) = nullptr;
 };
 
 template <class Parameters> bool fits(const SceneSetup& setup) {
     return (setup.parameters.find<Parameters>() != nullptr);
 }
 
-constexpr std::array kCatalogue{
-    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>, &fits<simulation::SphereApexParameters>},
-    Line{"elastic_tube", &stage<SceneStage>, &content<TubeContent>, &fits<simulation::ElasticTubeParameters>},
-    Line{"object_handling", &stage<SceneStage>, &content<HandlingContent>,
-         &fits<simulation::ObjectHandlingParameters>},
-    Line{"palpation", &stage<SceneStage>, &content<PalpationContent>, &fits<simulation::PalpationParameters>},
-    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr, &fits<simulation::UrethraInsertionParameters>},
-};
+template <class Exercise> constexpr Line lineOf() {
+    Line line{Exercise::kId, nullptr, nullptr, &fits<typename Exercise::Parameters>};
+    if constexpr (!std::is_void_v<typename Exercise::Stage>)
+        line.stage = &stage<typename Exercise::Stage>;
+    if constexpr (!std::is_void_v<typename Exercise::Content>)
+        line.content = &content<typename Exercise::Content>;
+    return line;
+}
+
+template <class... Exercises> constexpr auto linesOf(exercises::List<Exercises...>) {
+    return std::array{lineOf<Exercises>()...};
+}
+
+constexpr auto kCatalogue = linesOf(exercises::All{});
 
 const Line* find(const SceneSetup& setup) {
     for (const Line& line : kCatalogue)
-        if (setup.exercise == line.exercise && line.fits(setup))
+        if (line.stage != nullptr && setup.exercise == line.exercise && line.fits(setup))
             return &line;
     return nullptr;
 }

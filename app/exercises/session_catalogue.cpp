@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that can be run, one line each.
+// The exercises that can be run: one for each line of exercise_catalogue.h.
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
+#include "app/exercises/exercise_catalogue.h"
 #include "app/exercises/object_handling/session/object_handling_kind.h"
 #include "app/exercises/palpation/session/palpation_kind.h"
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
@@ -9,19 +10,23 @@
 #include "session/study/comparison_kind.h"
 
 #include <array>
+#include <tuple>
 
 namespace chiron::session {
 
+namespace {
+
+template <class... Exercises> std::span<const ExerciseKind* const> kindsOf(exercises::List<Exercises...>) {
+    static const std::tuple<typename Exercises::Kind...> kinds;
+    static const auto all =
+        std::apply([](const auto&... kind) { return std::to_array<const ExerciseKind*>({&kind...}); }, kinds);
+    return all;
+}
+
+} // namespace
+
 std::span<const ExerciseKind* const> exerciseKinds() {
-    static const SphereApexKind sphereApex;
-    static const UrethraInsertionKind urethraInsertion;
-    static const ElasticTubeKind elasticTube;
-    static const ObjectHandlingKind objectHandling;
-    static const PalpationKind palpation;
-    static const ComparisonKind comparison; // used by studies only
-    static const auto kinds = std::to_array<const ExerciseKind*>(
-        {&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
-    return kinds;
+    return kindsOf(exercises::All{});
 }
 
 } // namespace chiron::session

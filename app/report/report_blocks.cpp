@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report_blocks.h"
 
-#include "report/headline_card.h"
+#include "report/headline_card_painter.h"
 #include "report/report_section.h"
 #include "report/report_text.h"
 #include "report/session_plots.h"

@@ -2,7 +2,7 @@
 #include "session/demo_study.h"
 
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "core/random.h"
 #include "database/repositories/study_repository.h"
 #include "session/replayer.h"

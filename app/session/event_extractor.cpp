@@ -5,7 +5,6 @@
 #include "session/yield_cause.h"
 
 #include "core/contact_bits.h"
-#include "cues/procedure_stage.h"
 
 #include <array>
 #include <charconv>
@@ -138,8 +137,9 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
         m_trials.back().lastTick = frame.header.index;
     if ((events & kStageChanged) && !(events & kCompleted))
         note(frame, t_s, "stage_changed");
-    if (events & core::procedure_bits::kLandmarkSeen)
-        note(frame, t_s, "landmark_seen");
+    for (const SceneEvent& event : m_sceneEvents)
+        if (events & event.bit)
+            note(frame, t_s, event.word);
     constexpr std::pair<std::uint32_t, const char*> kGrasps[] = {
         {kGrasped, "grasped"}, {kReleased, "released"}, {kSlipped, "slipped"}, {kDamaged, "damaged"}};
     for (const auto& [bit, word] : kGrasps)

@@ -5,6 +5,7 @@
 #include "database/repositories/session_types.h"
 #include "recording/position_of.h"
 #include "session/device_time.h"
+#include "session/playback_mark.h"
 #include "session/yield_load.h"
 
 #include <array>
@@ -32,9 +33,12 @@ std::span<const MarkedGuard> markedGuards() noexcept;
 class EventExtractor {
 public:
     /// `positions`: of the session's tools; it must outlive the calls of add(). Null: no event has a place.
+    /// `sceneEvents`: those of the exercise (ExerciseKind::sceneEvents).
     EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools,
-                   const recording::IPositionOf* positions = nullptr)
-        : m_forceLimit_N(forceLimit_N), m_seed(sessionSeed), m_tools(tools), m_positions(positions) {}
+                   const recording::IPositionOf* positions = nullptr,
+                   std::span<const SceneEvent> sceneEvents = {})
+        : m_forceLimit_N(forceLimit_N), m_seed(sessionSeed), m_tools(tools), m_positions(positions),
+          m_sceneEvents(sceneEvents) {}
 
     void add(std::span<const core::HapticFrame> frames);
     const std::vector<database::EventRecord>& events() const noexcept { return m_events; }
@@ -59,6 +63,7 @@ private:
     std::uint64_t m_seed;
     int m_tools;
     const recording::IPositionOf* m_positions;
+    std::span<const SceneEvent> m_sceneEvents;
     DeviceTime m_time;
     std::uint64_t m_frames = 0;
     std::uint64_t m_lastTick = 0;

@@ -5,6 +5,10 @@
 
 namespace chiron::session {
 
+std::span<const SceneEvent> ExerciseKind::sceneEvents() const noexcept {
+    return {};
+}
+
 std::vector<MomentRule> ExerciseKind::momentRules() const {
     return {};
 }

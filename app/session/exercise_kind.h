@@ -43,6 +43,7 @@ namespace chiron::session {
 class AnswerEvents;
 class MarkSessions;
 struct MomentRule;
+struct SceneEvent;
 struct SessionSetup;
 class PlaybackTrack;
 
@@ -84,7 +85,7 @@ struct LimitedMetric {
 inline constexpr std::string_view kUsualMechanism = devices::kGimbalHprd;
 
 /// An exercise: its scene, its scripted operators and its truth. A new exercise adds a class and one line in
-/// app/exercises/session_catalogue.cpp. Stateless.
+/// app/exercises/exercise_catalogue.h. Stateless.
 class ExerciseKind {
 public:
     ExerciseKind() = default;
@@ -182,6 +183,8 @@ public:
     /// The geometry that could be touched in each trial, for playback; the same geometry as the felt one.
     virtual std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                         std::uint64_t seed) const = 0;
+    /// The events that its scene has beside core::event_bits, in the order in which one tick has them.
+    virtual std::span<const SceneEvent> sceneEvents() const noexcept;
     /// True if addMarks() needs the trace, which then comes from the same pass as the track.
     virtual bool marksFromTrace() const noexcept { return false; }
     /// Adds to a track the marks that need the whole trial: outcomes of answers, and events that the scores

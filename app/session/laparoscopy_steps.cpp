@@ -45,7 +45,7 @@ void nameSteps(PlaybackTrack& track) {
     if (step == nullptr)
         return;
     for (PlaybackMark& mark : track.marks) {
-        if (mark.kind != PlaybackMarkKind::stageChanged)
+        if (mark.kind != mark_kinds::kStageChanged)
             continue;
         const auto at = std::find_if(track.moments.begin(), track.moments.end(),
                                      [&](const PlaybackMoment& moment) { return moment.tick >= mark.tick; });

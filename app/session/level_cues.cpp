@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/level_cues.h"
 
-#include <algorithm>
+#include "simulation/scene_parameters.h"
 
 namespace chiron::session {
 
@@ -11,9 +11,7 @@ const std::vector<std::string>& cueWordsOf(const catalogue::ExerciseLevel& level
 
 LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt) {
     const std::vector<std::string>& words = cueWordsOf(level, felt);
-    const auto has = [&words](const char* word) {
-        return std::find(words.begin(), words.end(), word) != words.end();
-    };
+    const auto has = [&words](const char* word) { return simulation::hasCue(words, word); };
     return {.felt = felt,
             .object = has("object"),
             .tool = has("tool"),

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "session/playback_mark.h"
+#include "session/worst_moment.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -15,11 +17,12 @@ struct MomentRule {
         largestMark,     ///< the mark with the largest value, of the first of `marks`
         firstMark,       ///< the first mark of any of `marks`; the value shown is the metric's
         largestQuantity, ///< the moment at which one of the scene's quantities was largest
-        farthestAnswer,  ///< the answer farthest from the target, in per cent of the target's radius
-        deepest          ///< the moment at which the instrument was deepest in its canal, mm
+        own              ///< as the exercise's own function finds it
     };
     std::string_view metric; ///< metric id; a trailing '*' matches every id with this beginning
     By by = By::firstMark;
+    /// For By::own; returns nothing if the recording has no such moment.
+    std::optional<WorstMoment> (*own)(const PlaybackTrack& track) = nullptr;
     std::vector<PlaybackMarkKind> marks{};
     std::string_view quantity{}; ///< one of ExerciseKind::quantities
     double factor = 1.0;         ///< factor of the mark's value that gives the unit

@@ -2,7 +2,6 @@
 #include "session/playback_mark.h"
 
 #include "core/contact_bits.h"
-#include "cues/procedure_stage.h"
 #include "scoring/force_facts.h"
 #include "session/event_extractor.h"
 #include "session/trace_mark.h"
@@ -31,17 +30,7 @@ double torqueOf(const core::ToolFrame& tool) {
 
 } // namespace
 
-bool isPenalty(PlaybackMarkKind kind) noexcept {
-    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut ||
-           kind == PlaybackMarkKind::fault || kind == PlaybackMarkKind::trauma ||
-           kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
-           kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped ||
-           kind == PlaybackMarkKind::damaged || kind == PlaybackMarkKind::yielded ||
-           kind == PlaybackMarkKind::failed || kind == PlaybackMarkKind::missed ||
-           kind == PlaybackMarkKind::falseAlarm || kind == PlaybackMarkKind::lumpMissed;
-}
-
-PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind,
+PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, const PlaybackMarkKind& kind,
                                   int tool) {
     PlaybackMark mark;
     mark.t_s = mark.end_s = t_s;
@@ -54,7 +43,7 @@ PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, Pl
 }
 
 void MarkExtractor::follow(Span& span, bool on, const core::HapticFrame& frame, double t_s,
-                           PlaybackMarkKind kind, int tool, double bridge_s) {
+                           const PlaybackMarkKind& kind, int tool, double bridge_s) {
     if (on && !span.open) {
         const bool goesOn = span.mark && m_marks[*span.mark].trial == frame.header.trial &&
                             t_s - m_marks[*span.mark].end_s <= bridge_s;
@@ -92,15 +81,15 @@ void MarkExtractor::addStandstill(const core::HapticFrame& frame, double t_s) {
         m_stop.reset();
     if (m_stop)
         m_marks[*m_stop].end_s = t_s;
-    follow(m_paused, m_standstill == Standstill::pause, frame, t_s, PlaybackMarkKind::paused);
+    follow(m_paused, m_standstill == Standstill::pause, frame, t_s, mark_kinds::kPaused);
 }
 
 void MarkExtractor::addCommands(const core::HapticFrame& frame, double t_s) {
     for (const core::Command& command : frame.header.commands) {
         if (command.kind == core::CommandKind::rearm)
-            note(frame, t_s, PlaybackMarkKind::rearmed);
+            note(frame, t_s, mark_kinds::kRearmed);
         if (command.kind == core::CommandKind::end)
-            note(frame, t_s, PlaybackMarkKind::ended);
+            note(frame, t_s, mark_kinds::kEnded);
     }
 }
 
@@ -108,27 +97,28 @@ void MarkExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
     using namespace core::event_bits;
     const std::uint32_t events = frame.header.events;
     if (events & kTrialStarted)
-        note(frame, t_s, PlaybackMarkKind::trialStarted);
+        note(frame, t_s, mark_kinds::kTrialStarted);
     if ((events & kStageChanged) && !(events & kCompleted))
-        note(frame, t_s, PlaybackMarkKind::stageChanged);
-    if (events & core::procedure_bits::kLandmarkSeen)
-        note(frame, t_s, PlaybackMarkKind::landmarkSeen);
+        note(frame, t_s, mark_kinds::kStageChanged);
+    for (const SceneEvent& event : m_sceneEvents)
+        if (events & event.bit)
+            note(frame, t_s, event.mark);
     if (events & kCompleted)
-        note(frame, t_s, PlaybackMarkKind::completed);
+        note(frame, t_s, mark_kinds::kCompleted);
     else if (events & kMarked)
-        note(frame, t_s, isMarkOfTraceEnd(frame) ? PlaybackMarkKind::traceEnded : PlaybackMarkKind::marked);
+        note(frame, t_s, isMarkOfTraceEnd(frame) ? mark_kinds::kTraceEnded : mark_kinds::kMarked);
     else if (events & kFailed)
-        note(frame, t_s, PlaybackMarkKind::failed);
+        note(frame, t_s, mark_kinds::kFailed);
     else if (events & kTimedOut)
-        note(frame, t_s, PlaybackMarkKind::timedOut);
+        note(frame, t_s, mark_kinds::kTimedOut);
 }
 
 void MarkExtractor::addGrasps(const core::HapticFrame& frame, double t_s) {
     using namespace core::event_bits;
-    constexpr std::pair<std::uint32_t, PlaybackMarkKind> kKinds[] = {{kGrasped, PlaybackMarkKind::grasped},
-                                                                     {kReleased, PlaybackMarkKind::released},
-                                                                     {kSlipped, PlaybackMarkKind::slipped},
-                                                                     {kDamaged, PlaybackMarkKind::damaged}};
+    constexpr std::pair<std::uint32_t, PlaybackMarkKind> kKinds[] = {{kGrasped, mark_kinds::kGrasped},
+                                                                     {kReleased, mark_kinds::kReleased},
+                                                                     {kSlipped, mark_kinds::kSlipped},
+                                                                     {kDamaged, mark_kinds::kDamaged}};
     for (const auto& [bit, kind] : kKinds)
         if (frame.header.events & bit)
             note(frame, t_s, kind);
@@ -138,12 +128,11 @@ void MarkExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
     const std::uint32_t begun = frame.header.guards & ~m_guards;
     for (const MarkedGuard& guard : markedGuards()) {
         if (begun & guard.bit)
-            note(frame, t_s, guard.latched ? PlaybackMarkKind::fault : PlaybackMarkKind::guard).detail =
-                guard.word;
+            note(frame, t_s, guard.latched ? mark_kinds::kFault : mark_kinds::kGuard).detail = guard.word;
     }
     m_guards = frame.header.guards;
     if (frame.header.force == core::ForceState::stopped && m_force != core::ForceState::stopped) {
-        note(frame, t_s, PlaybackMarkKind::forceStopped);
+        note(frame, t_s, mark_kinds::kForceStopped);
         m_stop = m_marks.size() - 1;
     }
     m_force = frame.header.force;
@@ -157,9 +146,9 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
         const YieldLoad load = m_loads.at(tool, frame.tool[i]);
         if (core::contactOfStatus(frame.tool[i].status) & core::contact_bits::kYielded)
             noteYield(frame, t_s, tool, load);
-        follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
+        follow(m_contact[i], tissue > kContact_N, frame, t_s, mark_kinds::kContact, tool, kBridge_s);
         const bool over = scored && tissue > m_forceLimit_N;
-        follow(m_over[i], over, frame, t_s, PlaybackMarkKind::overLimit, tool);
+        follow(m_over[i], over, frame, t_s, mark_kinds::kOverLimit, tool);
         if (over) {
             std::optional<double>& worst = m_marks[*m_over[i].mark].value;
             worst = std::max(worst.value_or(0.0), tissue);
@@ -173,7 +162,7 @@ void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int to
     const auto i = static_cast<std::size_t>(tool);
     const bool byTorque =
         gaveWayToTorque(m_yield, tissueOf(frame.tool[i]), torqueOf(frame.tool[i])); // at this tick
-    PlaybackMark& mark = note(frame, t_s, PlaybackMarkKind::yielded, tool);
+    PlaybackMark& mark = note(frame, t_s, mark_kinds::kYielded, tool);
     mark.value = byTorque ? load.torque_Nm : load.force_N;
     if (byTorque)
         mark.detail = kByTorque;
@@ -187,7 +176,7 @@ void MarkExtractor::addLimited(const core::HapticFrame& frame, double t_s, int t
     const double tissue = tissueOf(frame.tool[i]);
     const bool running = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
     const bool limited = m_felt && running && tissue > std::hypot(f[0], f[1], f[2]) + scoring::kLimited_N;
-    follow(m_limited[i], limited, frame, t_s, PlaybackMarkKind::limited, tool, kBridge_s);
+    follow(m_limited[i], limited, frame, t_s, mark_kinds::kLimited, tool, kBridge_s);
     if (!limited)
         return;
     std::optional<double>& largest = m_marks[*m_limited[i].mark].value;
@@ -205,7 +194,7 @@ std::vector<PlaybackMark> MarkExtractor::take(double end_s) {
     std::for_each(m_contact.begin(), m_contact.end(), close);
     std::for_each(m_limited.begin(), m_limited.end(), close);
     std::erase_if(m_marks, [](const PlaybackMark& mark) {
-        return mark.kind == PlaybackMarkKind::limited && mark.end_s - mark.t_s < kShortest_s;
+        return mark.kind == mark_kinds::kLimited && mark.end_s - mark.t_s < kShortest_s;
     });
     std::stable_sort(m_marks.begin(), m_marks.end(),
                      [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });

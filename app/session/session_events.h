@@ -29,10 +29,11 @@ struct SessionEvents {
 /// Collects the events of a recording from its frames, in order, chunk by chunk.
 class SessionEventsBuilder {
 public:
-    /// `positions`: of the session's tools; it must outlive the calls of add().
+    /// `positions`: of the session's tools; it must outlive the calls of add(). `sceneEvents`: those of the
+    /// exercise.
     SessionEventsBuilder(double forceLimit_N, std::uint64_t sessionSeed, int tools,
-                         const recording::IPositionOf* positions)
-        : m_extractor(forceLimit_N, sessionSeed, tools, positions) {}
+                         const recording::IPositionOf* positions, std::span<const SceneEvent> sceneEvents)
+        : m_extractor(forceLimit_N, sessionSeed, tools, positions, sceneEvents) {}
     void add(std::span<const core::HapticFrame> frames);
     /// `trace`: of the same recording; the outcomes of answers are judged by it.
     SessionEvents take(const ExerciseKind& kind, const scoring::SessionTrace& trace) const;

@@ -82,11 +82,12 @@ core::Result<void> SessionView::derive(Parts wanted, const ReadProgress& progres
     std::optional<TrackBuilder> track;
     if (wanted.track) {
         surfaces = (*kind)->makeSurfaces(m_setup.level, m_setup.seed);
-        track.emplace(*this, *surfaces);
+        track.emplace(*this, *surfaces, (*kind)->sceneEvents());
     }
     std::optional<SessionEventsBuilder> events;
     if (wanted.events)
-        events.emplace(m_record.setup.forceLimit_N, m_setup.seed, m_positions->tools(), m_positions.get());
+        events.emplace(m_record.setup.forceLimit_N, m_setup.seed, m_positions->tools(), m_positions.get(),
+                       (*kind)->sceneEvents());
     std::size_t read = 0;
     const auto done = eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         if (progress && !progress(static_cast<double>(read++) / static_cast<double>(m_reader->chunkCount())))

@@ -42,13 +42,13 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end()) {
         const std::string_view mechanism =
             session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
-        const devices::KinematicsEntry* kinematics = devices::findKinematics(mechanism);
-        if (session.map != mechanisms::PolarMap::exact && !(kinematics && kinematics->mapOf))
+        if (!devices::hasForceMap(devices::findKinematics(mechanism), session.forceMap))
             return core::fail(core::ErrorCode::wrongUse,
-                              "force map as-published: exercise " + session.exercise +
+                              "force map " + session.forceMap + ": exercise " + session.exercise +
                                   " is not done on the gimbal whose map it is; expected exact");
-        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism,
-                               session.mounting);
+        return scriptedStation(
+            kind, level, session.operatorName, session.seed,
+            {.mechanism = mechanism, .forceMap = session.forceMap, .mounting = session.mounting});
     }
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
@@ -64,9 +64,9 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
     if (!session.mechanism.empty())
         return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism +
                                                          ": a trace is held by none; expected an operator");
-    if (session.map != mechanisms::PolarMap::exact)
+    if (!devices::hasForceMap(nullptr, session.forceMap))
         return core::fail(core::ErrorCode::wrongUse,
-                          "force map as-published: a trace feels nothing; expected exact");
+                          "force map " + session.forceMap + ": a trace feels nothing; expected exact");
     if (session.mounting.turned() || session.mounting.turnGiven)
         return core::fail(core::ErrorCode::wrongUse,
                           "base turn: a trace is held by no device; expected an operator");

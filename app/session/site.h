@@ -32,7 +32,7 @@ struct ScriptedSession {
     std::uint64_t seed = 1;
     bool realtime = false;
     bool familiarisation = false;
-    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< map of the simulated gimbal
+    std::string forceMap{};     ///< one of devices::forceMapIds(); "": the usual one
     std::string mechanism{};    ///< kinematics id of the simulated mechanism; "": the exercise's usual one
     WorkspaceChoice mounting{}; ///< mounting of the bases of the simulated mechanisms
 };

@@ -263,18 +263,16 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
 
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
-                                      mechanisms::PolarMap map, std::string_view mechanism,
-                                      const WorkspaceChoice& mounting,
-                                      const mechanisms::HandParameters* hand) {
+                                      const ScriptedDevice& held) {
     const std::vector<std::string_view> known = kind.mechanisms();
-    const std::string_view chosen = mechanism.empty() ? kind.mechanism() : mechanism;
+    const std::string_view chosen = held.mechanism.empty() ? kind.mechanism() : held.mechanism;
     if (std::find(known.begin(), known.end(), chosen) == known.end())
         return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " +
                                                          std::string(kind.id()) + " is not done on it");
     // Hand and decision model have separate random streams, so that the same person trembles alike in another
     // field.
     const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
-    auto places = placesOf(kind, level, hands, mounting);
+    auto places = placesOf(kind, level, hands, held.mounting);
     CHIRON_TRY(places);
     auto trainee =
         kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
@@ -285,12 +283,11 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     request.shape = kind.pointerTool();
     request.endoscopeStart_W = kind.endoscopeStart_W();
     request.mechanism = std::string(chosen);
-    request.hand = hand != nullptr ? *hand : trainee->hand;
+    request.hand = held.hand != nullptr ? *held.hand : trainee->hand;
     request.seed = core::Random::mix(seed, "hand");
-    request.map = map;
+    request.forceMap = std::string(held.forceMap);
     request.frictionCompensation = haptics::FrictionCompensation::kMost;
-    const devices::Driver& driver = devices::usualDriver(devices::MovedBy::scriptedOperator);
-    if (!devices::kinematicsOf(driver, chosen))
+    if (!devices::kinematicsOf(*held.driver, chosen))
         return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
                                                          ": no simulated mechanism \"" + std::string(chosen) +
                                                          "\"");
@@ -299,13 +296,14 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     request.fingerSpacing_m = fingers.spacing_m;
     for (std::size_t i = 0; i < hands; ++i)
         request.tools.push_back({(*places)[i], {}, std::move(trainee->strategies[i]), {}});
-    auto station = stationOf(driver, std::move(request));
+    auto station = stationOf(*held.driver, std::move(request));
     if (station)
         station->operatorName = operatorName;
     return station;
 }
 
-core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool, int tools) {
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool, int tools,
+                                   const devices::Driver& driver) {
     const auto refuse = [&rows](const std::string& why) {
         return core::fail(core::ErrorCode::badInput, rows.source + ": " + why);
     };
@@ -329,7 +327,7 @@ core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool t
     request.shape = tool;
     for (std::vector<devices::TracePoint>& trace : points)
         request.tools.push_back({{}, {}, nullptr, std::move(trace)});
-    auto station = stationOf(devices::usualDriver(devices::MovedBy::recording), std::move(request));
+    auto station = stationOf(driver, std::move(request));
     if (!station)
         return refuse(station.error().message);
     station->operatorName = "trace:" + std::filesystem::path(rows.source).filename().string();

@@ -6,7 +6,6 @@
 #include "devices/api/device.h"
 #include "devices/api/hand_input.h"
 #include "devices/driver_catalogue.h"
-#include "mechanisms/gimbal_kinematics.h"
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
 
@@ -83,26 +82,34 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
 core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice,
                                     const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
 
-/// A simulated mechanism of the exercise, one for each instrument of the level, with a scripted operator on
-/// it. `mechanism`: its kinematics id; "": the usual one. `map`: how a force is converted to motor torques on
-/// P2's gimbal (models.md §2.1). `mounting`: how every base is mounted relative to the exercise's positions,
-/// instead of the level's mounting. `hand`: the arm that holds the mechanism; null: the operator's own.
+/// What a scripted operator holds. The default is what is used if nobody chose.
+struct ScriptedDevice {
+    /// A driver whose devices scripted operators move (MovedBy::scriptedOperator).
+    const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::scriptedOperator);
+    std::string_view mechanism{}; ///< kinematics id; "": the exercise's usual one
+    /// How the mechanism converts force to efforts: one of its KinematicsEntry::forceMaps; "": the usual one.
+    std::string_view forceMap{};
+    /// How every base is mounted relative to the exercise's positions, instead of the level's mounting.
+    WorkspaceChoice mounting{};
+    const mechanisms::HandParameters* hand = nullptr; ///< the arm that holds it; null: the operator's own
+};
+
+/// A mechanism of the exercise, one for each instrument of the level, with a scripted operator on it.
 /// Errors: those of makeOperator(); wrongUse for a mechanism that does not exist or that the exercise does
 ///   not support, and for a mounting if the scripted hands assume that D equals W; badInput as in
-///   mappingOf().
+///   mappingOf(); those of the driver.
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
-                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact,
-                                      std::string_view mechanism = {}, const WorkspaceChoice& mounting = {},
-                                      const mechanisms::HandParameters* hand = nullptr);
+                                      const ScriptedDevice& held = {});
 
 /// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that
 /// the level needs; rows of other tools are ignored. All devices begin with the file's earliest row and end
 /// with its last: a tool stays at the position of its own first row before that row, and at that of its last
 /// row after it. `tool`: the exercise's pointerTool(); an endoscope needs the columns of orientation,
-/// graspers that of the jaw.
+/// graspers that of the jaw. `driver`: one that plays recordings (MovedBy::recording).
 /// Errors: badInput naming file and row, columns or the missing tool.
-core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point,
-                                   int tools = 1);
+core::Result<Station>
+traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point, int tools = 1,
+             const devices::Driver& driver = devices::usualDriver(devices::MovedBy::recording));
 
 } // namespace chiron::session

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_data.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "session/study/questionnaire_replies.h"
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"

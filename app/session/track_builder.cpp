@@ -22,10 +22,11 @@ double normOf(const core::Array6& wrench) {
 
 } // namespace
 
-TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces)
+TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces,
+                           std::span<const SceneEvent> sceneEvents)
     : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
       m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt,
-              yieldLawOf(session.setup().level), &session.positions()) {
+              yieldLawOf(session.setup().level), &session.positions(), sceneEvents) {
     m_track.session = session.record().summary.id;
     m_track.exercise = session.setup().level.exercise;
     m_track.level = session.setup().level.number;

@@ -22,8 +22,9 @@ class SessionView;
 class TrackBuilder {
 public:
     /// `surfaces`: the geometry that could be touched in each trial. It must outlive the builder, as must the
-    /// view.
-    TrackBuilder(SessionView& session, const TrialSurfaces& surfaces);
+    /// view. `sceneEvents`: those of the exercise.
+    TrackBuilder(SessionView& session, const TrialSurfaces& surfaces,
+                 std::span<const SceneEvent> sceneEvents);
     void add(std::span<const core::HapticFrame> frames);
     PlaybackTrack take();
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/worst_moment.h"
 
-#include "core/units.h"
 #include "scoring/prepared_trial.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
@@ -15,14 +14,6 @@
 namespace chiron::session {
 
 namespace {
-
-/// Horizontal distance of the answer from the truth, m; 0 where there is no truth.
-double missOf(const PlaybackTrial& trial) {
-    if (!trial.object)
-        return 0.0;
-    const core::Vec3 d = trial.p_WEnd - trial.object->p_WObject;
-    return std::hypot(d.x(), d.y());
-}
 
 std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
     std::optional<WorstMoment> worst;
@@ -54,17 +45,6 @@ WorstMoment endOf(const PlaybackTrial& trial, double value) {
     return worst;
 }
 
-std::optional<WorstMoment> farthestAnswer(const PlaybackTrack& track) {
-    const auto found = std::max_element(
-        track.trials.begin(), track.trials.end(),
-        [](const PlaybackTrial& a, const PlaybackTrial& b) { return missOf(a) < missOf(b); });
-    if (found == track.trials.end() || !found->object || found->object->radius_m <= 0.0)
-        return std::nullopt;
-    WorstMoment worst = endOf(*found, 100.0 * missOf(*found) / found->object->radius_m);
-    worst.unit = "%";
-    return worst;
-}
-
 const scoring::MetricValue* metricIn(const std::vector<scoring::MetricValue>& metrics,
                                      const std::string& id) {
     const auto found = std::find_if(metrics.begin(), metrics.end(),
@@ -92,8 +72,8 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
 }
 
 /// The mark of this type and detail with the largest value.
-std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
-                                       std::string_view unit, bool onlyCritical = false,
+std::optional<WorstMoment> largestMark(const PlaybackTrack& track, const PlaybackMarkKind& kind,
+                                       double factor, std::string_view unit, bool onlyCritical = false,
                                        const char* detail = "") {
     const PlaybackMark* found = nullptr;
     for (const PlaybackMark& mark : track.marks)
@@ -167,26 +147,8 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::st
     return worst;
 }
 
-/// The moment of a trial at which the instrument was deepest in its canal.
-std::optional<WorstMoment> deepest(const PlaybackTrack& track, const ExerciseKind& kind) {
-    std::optional<WorstMoment> worst;
-    for (const PlaybackMoment& moment : track.moments) {
-        if (moment.paused || moment.phase != core::TrialPhase::running)
-            continue;
-        const std::optional<double> depth_m = kind.depthAt_m(track, moment.t_s);
-        if (!depth_m || (worst && core::mmFromM(*depth_m) <= worst->value))
-            continue;
-        worst.emplace();
-        worst->t_s = moment.t_s;
-        worst->trial = moment.trial;
-        worst->value = core::mmFromM(*depth_m);
-        worst->unit = "mm";
-    }
-    return worst;
-}
-
-std::optional<WorstMoment> byRule(const PlaybackTrack& track, const ExerciseKind& kind,
-                                  const MomentRule& rule, const scoring::MetricValue& metric) {
+std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule,
+                                  const scoring::MetricValue& metric) {
     switch (rule.by) {
     case MomentRule::By::largestMark:
         return rule.marks.empty()
@@ -196,10 +158,8 @@ std::optional<WorstMoment> byRule(const PlaybackTrack& track, const ExerciseKind
         return firstOf(track, rule.marks, metric);
     case MomentRule::By::largestQuantity:
         return largestQuantity(track, rule.quantity, rule.unit);
-    case MomentRule::By::farthestAnswer:
-        return farthestAnswer(track);
-    case MomentRule::By::deepest:
-        return deepest(track, kind);
+    case MomentRule::By::own:
+        return rule.own != nullptr ? rule.own(track) : std::nullopt;
     }
     return std::nullopt;
 }
@@ -211,7 +171,7 @@ std::optional<WorstMoment> byRules(const PlaybackTrack& track, const scoring::Me
     if (const auto kind = exerciseKind(track.exercise))
         for (const MomentRule& rule : (*kind)->momentRules())
             if (rule.spread == spread && rule.isOf(metric.id)) {
-                auto worst = byRule(track, **kind, rule, metric);
+                auto worst = byRule(track, rule, metric);
                 if (worst)
                     worst->wholeTrial = rule.ofWholeTrial;
                 return worst;
@@ -221,12 +181,12 @@ std::optional<WorstMoment> byRules(const PlaybackTrack& track, const scoring::Me
 
 /// Where tissue broke, whatever the exercise.
 std::optional<WorstMoment> broken(const PlaybackTrack& track, const scoring::MetricValue& metric) {
-    using enum PlaybackMarkKind;
-    if (auto byForce = largestMark(track, yielded, 1.0, "N"))
+    using namespace mark_kinds;
+    if (auto byForce = largestMark(track, kYielded, 1.0, "N"))
         return byForce;
-    if (auto byTorque = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
+    if (auto byTorque = largestMark(track, kYielded, 1e3, "mN·m", false, kByTorque))
         return byTorque;
-    for (const PlaybackMarkKind kind : {failed, damaged}) // torn is worse than over-stretched
+    for (const PlaybackMarkKind& kind : {kFailed, kDamaged}) // torn is worse than over-stretched
         if (auto spoiled = firstOf(track, {kind}, metric))
             return spoiled;
     return std::nullopt;

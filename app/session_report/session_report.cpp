@@ -9,7 +9,7 @@
 #include "scoring/force_facts.h"
 #include "scoring/metric_catalogue.h"
 #include "session/level_limits.h"
-#include "session_report/exercise_section.h"
+#include "session_report/exercise_reporter.h"
 #include "session_report/metric_words.h"
 #include "session_report/track_series.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/study_report.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "report/page_writer.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"

@@ -2,7 +2,7 @@
 #include "session_report/track_series.h"
 
 #include "session/exercise_kind.h"
-#include "session_report/exercise_words.h"
+#include "session_report/exercise_reporter.h"
 #include "session_report/mark_words.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "catalogue/exercise_contents.h"
 #include "scoring/metric_catalogue.h"
+#include "simulation/scene_parameters.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -11,10 +12,6 @@
 namespace chiron::catalogue {
 
 namespace {
-
-bool contains(const std::vector<std::string>& values, const std::string& value) {
-    return std::find(values.begin(), values.end(), value) != values.end();
-}
 
 QString at(const char* list, std::size_t index, const char* key) {
     return memberPath(elementPath(memberPath(QStringLiteral("$"), list), static_cast<qsizetype>(index)), key);
@@ -95,14 +92,15 @@ void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& p
     checkMetrics(level, problems);
     checkGates(level, json["gates"].toArray(), problems);
     checkMounting(level, problems);
-    if (!contains(level.cues, "object") && !level.needsForce)
+    if (!simulation::hasCue(level.cues, "object") && !level.needsForce)
         problems.push_back(
             {QStringLiteral("$.needs_force"), QStringLiteral("false"),
              QStringLiteral("true, since the cue object is off and nothing else tells where it is")});
     if (level.shownForce && !level.needsForce)
         problems.push_back({QStringLiteral("$.shown_force_variant"), QStringLiteral("given"),
                             QStringLiteral("none: the level runs without force as it is")});
-    if (level.shownForce && contains(level.shownForce->cues, "object") && !contains(level.cues, "object"))
+    if (level.shownForce && simulation::hasCue(level.shownForce->cues, "object") &&
+        !simulation::hasCue(level.cues, "object"))
         problems.push_back({QStringLiteral("$.shown_force_variant.cues"), QStringLiteral("\"object\""),
                             QStringLiteral("cues that show force, not the object")});
 }

@@ -2,7 +2,7 @@
 #include "catalogue/study_catalogue.h"
 
 #include "catalogue/catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "catalogue/whole_file.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_json.h"
 #include "catalogue/study_parts.h"
-#include "catalogue/study_reader.h"
 #include "core/units.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/canonical_json.h"
 #include "catalogue/procedure_reader.h"
+#include "catalogue/study_json.h"
 #include "catalogue/study_parts.h"
-#include "catalogue/study_reader.h"
 
 #include <QJsonArray>
 #include <utility>

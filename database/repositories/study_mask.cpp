@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/repositories/study_mask.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include <algorithm>
 #include <cctype>

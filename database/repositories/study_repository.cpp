@@ -2,7 +2,7 @@
 #include "database/repositories/study_repository.h"
 
 #include "catalogue/canonical_json.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "core/clock.h"
 #include "database/access/writer_only.h"
 #include "database/accounts/account_rules.h"

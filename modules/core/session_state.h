@@ -59,7 +59,7 @@ inline constexpr std::uint32_t kCompleted = 1u << 7;    ///< the trial's procedu
                                                         ///< as a mark does
 inline constexpr std::uint32_t kStageChanged = 1u << 8; ///< the task went on to its next stage or step; each
                                                         ///< exercise has its own
-// 1u << 9 belongs to procedures (cues/procedure_stage.h).
+// 1u << 9 is left to the exercises: each may give it a meaning of its own.
 inline constexpr std::uint32_t kGrasped = 1u << 10;  ///< an instrument took hold of something
 inline constexpr std::uint32_t kReleased = 1u << 11; ///< an instrument released something on purpose
 inline constexpr std::uint32_t kSlipped = 1u

@@ -15,10 +15,4 @@ enum class ProcedureStage : std::uint8_t {
     completed = 4,  ///< everything that the level asks for is done
 };
 
-/// The event of the scene that only such a procedure has, in every frame (TickHeader::events, beside
-/// core::event_bits, which leave this bit free). Its number is part of the recording's format.
-namespace procedure_bits {
-inline constexpr std::uint32_t kLandmarkSeen = 1u << 9; ///< one more landmark was inspected
-} // namespace procedure_bits
-
 } // namespace chiron::core

@@ -6,7 +6,6 @@
 #include "devices/api/device.h"
 #include "devices/api/hand_input.h"
 #include "devices/api/trace_point.h"
-#include "mechanisms/gimbal_kinematics.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 
@@ -62,7 +61,7 @@ struct DriverRequest {
     std::string mechanism;           ///< kinematics id, for a driver with several mechanisms
     mechanisms::HandParameters hand; ///< of a scripted operator
     std::uint64_t seed = 1;          ///< seed of its tremor
-    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< how a gimbal renders force
+    std::string forceMap;            ///< one of KinematicsEntry::forceMaps; empty: the usual one
     /// Share of the Coulomb friction that is fed forward, 0..kMostFrictionCompensation.
     double frictionCompensation = 0.0;
     /// Tools of one hand that share an arm: tool = hand · fingersPerHand + finger.
@@ -88,6 +87,23 @@ struct FoundDevice {
     std::string serialNumber; ///< empty if the device reports none
 };
 
+/// One of several ways in which a mechanism converts force to efforts.
+struct ForceMap {
+    std::string_view id;   ///< as the command line and its output have it
+    std::string_view name; ///< for people, marked with QT_TRANSLATE_NOOP in the context Drivers
+};
+
+/// Id of the way that conserves power. Every mechanism has it.
+inline constexpr std::string_view kExactForceMap = "exact";
+
+/// The ways among which a session can choose. Static data.
+struct ForceMaps {
+    std::string_view title;         ///< of the choice, for people; marked like ForceMap::name
+    std::span<const ForceMap> maps; ///< the usual one, kExactForceMap, comes first
+    /// Returns the id of the map that a device uses.
+    std::string_view (*of)(const DeviceDescriptor& descriptor);
+};
+
 /// A type of kinematics that stored sessions of a driver name.
 struct KinematicsEntry {
     std::string_view id; ///< DeviceDescriptor::kinematics
@@ -95,9 +111,7 @@ struct KinematicsEntry {
     /// Name shown to people for the driver's devices with these kinematics, marked with QT_TRANSLATE_NOOP
     /// (core/marked_texts.h) in the context Drivers. Empty: the driver's name applies.
     std::string_view name{};
-    /// For kinematics that can also convert force to torques by published formulas: returns which conversion
-    /// a device uses. Null: there is only one.
-    mechanisms::PolarMap (*mapOf)(const DeviceDescriptor& descriptor) = nullptr;
+    const ForceMaps* forceMaps = nullptr; ///< null: there is only the exact one
 };
 
 /// One driver: everything that the rest of the program knows about it. Static data; its functions allocate
@@ -139,6 +153,18 @@ inline const KinematicsEntry* kinematicsOf(const Driver& driver, std::string_vie
 inline std::string_view nameOf(const Driver& driver, std::string_view kinematics) noexcept {
     const KinematicsEntry* entry = kinematicsOf(driver, kinematics);
     return entry && !entry->name.empty() ? entry->name : driver.name;
+}
+
+/// Whether a mechanism with these kinematics (null: an unknown one) can convert force in this way.
+inline bool hasForceMap(const KinematicsEntry* kinematics, std::string_view id) noexcept {
+    if (id.empty() || id == kExactForceMap)
+        return true;
+    if (kinematics == nullptr || kinematics->forceMaps == nullptr)
+        return false;
+    for (const ForceMap& map : kinematics->forceMaps->maps)
+        if (map.id == id)
+            return true;
+    return false;
 }
 
 /// KinematicsEntry::make for a class with a create(descriptor).

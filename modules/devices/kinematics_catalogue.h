@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace chiron::devices {
 
@@ -18,5 +19,8 @@ core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescri
 
 /// The catalogue's entry of an id, or nullptr.
 const KinematicsEntry* findKinematics(std::string_view id) noexcept;
+
+/// The ids of all force maps that any kinematics of the catalogue has, each once; kExactForceMap comes first.
+std::vector<std::string_view> forceMapIds();
 
 } // namespace chiron::devices

@@ -7,7 +7,7 @@
 #include "catalogue/instrument_catalogue.h"
 #include "catalogue/resolved_level.h"
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "core/languages.h"
 #include "support/content_copy.h"
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What screens and reports ask of every exercise, asked of each.
+#include "app/exercises/exercise_catalogue.h"
 #include "catalogue/catalogue.h"
 #include "desktop/exercise_face.h"
+#include "desktop/playback/playback_scene.h"
+#include "desktop/scene2d/flat_content.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
-#include "session_report/exercise_section.h"
-#include "session_report/exercise_words.h"
+#include "session_report/exercise_reporter.h"
+#include "session_report/mark_words.h"
 #include "session_report/tool_words.h"
 #include "simulation/comparison/comparison_parameters.h"
 
@@ -13,6 +16,7 @@
 #include <QSet>
 #include <QtTest>
 #include <algorithm>
+#include <set>
 
 using namespace chiron;
 
@@ -36,6 +40,10 @@ const std::vector<catalogue::ExerciseLevel>& everyLevel() {
     return kLevels;
 }
 
+template <class... Exercises> std::vector<std::string> idsOf(exercises::List<Exercises...>) {
+    return {Exercises::kId...};
+}
+
 const desktop::ExerciseFace& faceOf(const catalogue::ExerciseLevel& level) {
     return **desktop::exerciseFace(level.exercise);
 }
@@ -52,6 +60,8 @@ private slots:
     void aSessionWithoutTrialsIsShownAsOne();
     void aReportHasOneSectionAtMost();
     void everyEndHasWords();
+    void everyListHasEveryLine();
+    void everyMarkOfItsOwnHasWords();
     void rulesOfMomentsAreOfWhatThereIs();
 };
 
@@ -78,6 +88,7 @@ void TestExerciseFaces::rulesOfMomentsAreOfWhatThereIs() {
             const bool ofMarks = rule.by == session::MomentRule::By::largestMark ||
                                  rule.by == session::MomentRule::By::firstMark;
             QVERIFY2(ofMarks == !rule.marks.empty(), which.c_str());
+            QVERIFY2((rule.by == session::MomentRule::By::own) == (rule.own != nullptr), which.c_str());
             if (rule.by != session::MomentRule::By::largestQuantity)
                 continue;
             QVERIFY2(anyLevel([&](const catalogue::ExerciseLevel& level) {
@@ -173,6 +184,67 @@ void TestExerciseFaces::everyEndHasWords() {
     catalogue::ExerciseLevel unknown;
     unknown.exercise = "knitting";
     QCOMPARE(session_report::toolName(unknown, 1, 2), session_report::instrumentName(1, 2));
+}
+
+/// Each library's list is made from the lines of the catalogue, and each part knows whose it is.
+void TestExerciseFaces::everyListHasEveryLine() {
+    const std::vector<std::string> lines = idsOf(exercises::All{});
+    QCOMPARE(lines.size(), everyLevel().size());
+    QCOMPARE(session::exerciseKinds().size(), lines.size());
+    const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        QCOMPARE(std::string(session::exerciseKinds()[i]->id()), lines[i]);
+        const auto face = desktop::exerciseFace(lines[i]);
+        QVERIFY2(face && (*face)->id() == lines[i], lines[i].c_str());
+        const session_report::ExerciseReporter* reporter = session_report::exerciseReporter(lines[i]);
+        QVERIFY2(reporter != nullptr && reporter->id() == lines[i], lines[i].c_str());
+        const auto level = std::find_if(everyLevel().begin(), everyLevel().end(),
+                                        [&](const auto& each) { return each.exercise == lines[i]; });
+        QVERIFY2(level != everyLevel().end(), lines[i].c_str());
+        session::SessionSetup setup;
+        setup.level = *level;
+        QVERIFY2(scene3d::makeFlatContent(desktop::sceneSetupOf(setup, 4.0, theme)), lines[i].c_str());
+    }
+    QVERIFY(session_report::exerciseReporter("knitting") == nullptr);
+}
+
+/// The marks that an exercise adds are called by its own words, and no two kinds share an id.
+void TestExerciseFaces::everyMarkOfItsOwnHasWords() {
+    using namespace session::mark_kinds;
+    std::set<std::string_view> ids{kMarked.id,   kTimedOut.id,     kContact.id,  kGrasped.id,
+                                   kReleased.id, kSlipped.id,      kDamaged.id,  kYielded.id,
+                                   kFailed.id,   kStageChanged.id, kCompleted.id};
+    const auto said = [](const session::PlaybackMarkKind& kind, std::string_view exercise) {
+        session::PlaybackMark mark;
+        mark.kind = kind;
+        mark.value = 1.0;
+        return session_report::whatHappened(mark, exercise, QLocale::c());
+    };
+    int own = 0;
+    for (const session::ExerciseKind* kind : session::exerciseKinds()) {
+        const session_report::ExerciseReporter& reporter = *session_report::exerciseReporter(kind->id());
+        for (const session_report::MarkWords& words : reporter.marks()) {
+            ++own;
+            const std::string which(words.kind.id);
+            QVERIFY2(ids.insert(words.kind.id).second, which.c_str());
+            QVERIFY2(!words.kind.icon.empty() && !said(words.kind, kind->id()).isEmpty(), which.c_str());
+            QVERIFY2(said(words.kind, "knitting").isEmpty(), which.c_str());
+        }
+        for (const session::SceneEvent& event : kind->sceneEvents())
+            QVERIFY2(!said(event.mark, kind->id()).isEmpty(), event.word);
+        for (const session::MomentRule& rule : kind->momentRules())
+            for (const session::PlaybackMarkKind& mark : rule.marks)
+                QVERIFY2(!said(mark, kind->id()).isEmpty(), std::string(rule.metric).c_str());
+        session::PlaybackMark stage;
+        stage.kind = kStageChanged;
+        const QString unknown = session_report::whatHappened(stage, kind->id(), QLocale::c());
+        for (const session_report::StageWords& words : reporter.stages()) {
+            stage.detail = std::string(words.stage);
+            QVERIFY2(session_report::whatHappened(stage, kind->id(), QLocale::c()) != unknown,
+                     stage.detail.c_str());
+        }
+    }
+    QVERIFY(own >= 10);
 }
 
 QTEST_MAIN(TestExerciseFaces)

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QHash>
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -46,7 +47,8 @@ bool mayNameExercises(const QString& path) {
         QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
         QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/"
-                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$"));
+                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$|"
+                       "^app/exercises/exercise_catalogue\\.h$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
@@ -56,7 +58,8 @@ const QString kStudyTask = QStringLiteral("comparison");
 
 /// The task's own files.
 bool isOfTheStudyTask(const QString& path) {
-    static const QRegularExpression own(QStringLiteral("/comparison_(kind|face|content|facts)\\.(h|cpp)$"));
+    static const QRegularExpression own(
+        QStringLiteral("/comparison_(kind|face|content|facts|reporter)\\.(h|cpp)$"));
     return own.match(path).hasMatch();
 }
 
@@ -131,6 +134,8 @@ private slots:
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
     void everyExerciseIsInTheLists();
+    void everyHeaderHasANameOfItsOwn();
+    void cuesAreAskedForInOnePlace();
 };
 
 void TestExerciseSlices::codeIsReadWithoutComments() {
@@ -162,7 +167,8 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QCOMPARE(whatItDoes(task, QStringLiteral("app/session/study/comparison_kind.h")), QString());
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
     QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") &&
-            mayNameExercises("app/exercises/flat_catalogue.cpp"));
+            mayNameExercises("app/exercises/flat_catalogue.cpp") &&
+            mayNameExercises("app/exercises/exercise_catalogue.h"));
     QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") &&
             !mayNameExercises("app/session/exercise_kind.h"));
 }
@@ -310,6 +316,38 @@ void TestExerciseSlices::everyExerciseIsInTheLists() {
                  .contains(QLatin1String("(catalogue IN ")))
             wrong << QStringLiteral("curriculum/exercises/%1: its levels cannot be read").arg(id);
     }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// Whoever reads the name of a header knows which one it is, whatever folder it was found in.
+void TestExerciseSlices::everyHeaderHasANameOfItsOwn() {
+    QHash<QString, QString> found;
+    QStringList wrong;
+    for (const QString& path : productSources()) {
+        if (!path.endsWith(QLatin1String(".h")))
+            continue;
+        QString& first = found[path.section(u'/', -1)];
+        if (first.isEmpty())
+            first = path;
+        else
+            wrong << QStringLiteral("%1 and %2").arg(first, path);
+    }
+    QVERIFY(found.size() > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+/// Whether a level has a cue is asked by simulation::hasCue, and not by a search of one's own.
+void TestExerciseSlices::cuesAreAskedForInOnePlace() {
+    static const QRegularExpression search(
+        QStringLiteral("std::(find|count|any_of)\\([^;]*\\bcues(\\.|->)begin\\(\\)[^;]*(cue|word|\")"));
+    const QString own =
+        QStringLiteral("bool f() { return std::find(l.cues.begin(), l.cues.end(), \"object\") != e; }");
+    QVERIFY(readSource(own).code.contains(search));
+    QStringList wrong;
+    for (const QString& path : productSources())
+        if (path != QLatin1String("modules/simulation/scene_parameters.h") &&
+            readSource(contentOf(path)).code.contains(search))
+            wrong << path;
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 

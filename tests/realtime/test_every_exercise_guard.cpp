@@ -49,8 +49,9 @@ private slots:
         setup.level = *m_catalogue.find(exercise.toStdString(), number);
         setup.seed = 1;
         setup.safety = session::headlessSafety(setup.level);
+        const std::string held = mechanism.toStdString();
         auto station = session::scriptedStation(kind, setup.level, kind.operatorNames().front(), setup.seed,
-                                                mechanisms::PolarMap::exact, mechanism.toStdString());
+                                                {.mechanism = held});
         QVERIFY2(station.has_value(), station ? "" : station.error().message.c_str());
         setup.mappings = station->mappings();
         std::vector<haptics::LoopTool> tools;

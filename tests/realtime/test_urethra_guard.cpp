@@ -3,6 +3,7 @@
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "devices/recorded_device.h"
 #include "haptics/recorded_inputs.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "realtime/guarded_run.h"
 #include "support/urethra_bench.h"
@@ -76,7 +77,7 @@ private slots:
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
         using namespace core::event_bits;
-        using core::procedure_bits::kLandmarkSeen;
+        using simulation::procedure_bits::kLandmarkSeen;
         const std::uint32_t all = kTrialStarted | kContactBegan | kStageChanged | kLandmarkSeen |
                                   kContactEnded | kCompleted | kFinished;
         QCOMPARE(events & all, all); // the run went all the way

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A whole insertion, played from a trace: its scores are those of its path, they are the same from the
 // recording and from the exported file, and what they count is marked in playback.
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "core/units.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
@@ -16,7 +17,7 @@
 #include <algorithm>
 
 using namespace chiron;
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 using tests::OpenStored;
 using tests::SessionFixture;
 
@@ -186,9 +187,9 @@ void TestInsertionScoreIsKept::penaltiesAreMarks() {
     std::vector<session::PlaybackMark> stages;
     std::vector<session::PlaybackMark> reversals;
     for (const session::PlaybackMark& mark : track->marks) {
-        if (mark.kind == PlaybackMarkKind::stageChanged)
+        if (mark.kind == mark_kinds::kStageChanged)
             stages.push_back(mark);
-        if (mark.kind == PlaybackMarkKind::reversal)
+        if (mark.kind == mark_kinds::kReversal)
             reversals.push_back(mark);
     }
     QCOMPARE(stages.size(), std::size_t{2});

@@ -111,8 +111,9 @@ private slots:
         const catalogue::ExerciseLevel level = twoTrials(number);
         SessionFixture site;
         session::TrainingRequest request = site.request(level, "expert", 7);
+        const std::string held = mechanism.toStdString();
         auto station = session::scriptedStation(**session::exerciseKind("palpation"), level, "expert", 7,
-                                                mechanisms::PolarMap::exact, mechanism.toStdString());
+                                                {.mechanism = held});
         QVERIFY2(station, station ? "" : station.error().message.c_str());
         QCOMPARE(station->tools.size(), std::size_t(number >= 4 ? 2 : 1));
         QCOMPARE(QString::fromStdString(station->tools[0].device->descriptor().kinematics),

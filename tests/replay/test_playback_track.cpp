@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What playback shows is what was recorded: poses, forces, events and spans on the device's time.
+#include "app/exercises/sphere_apex/session/apex_marks.h"
 #include "database/repositories/session_reader.h"
 #include "session/playback_ghost.h"
 #include "session/worst_moment.h"
@@ -13,7 +14,7 @@
 #include <sqlite3.h>
 
 using namespace chiron;
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 using session::PlaybackTrack;
 using tests::OpenStored;
 using tests::SessionFixture;
@@ -29,7 +30,7 @@ PlaybackTrack trackOf(database::Database& database, database::SessionId id) {
     return std::move(*track);
 }
 
-int count(const PlaybackTrack& track, PlaybackMarkKind kind) {
+int count(const PlaybackTrack& track, const session::PlaybackMarkKind& kind) {
     return static_cast<int>(
         std::count_if(track.marks.begin(), track.marks.end(),
                       [kind](const session::PlaybackMark& mark) { return mark.kind == kind; }));
@@ -160,11 +161,10 @@ void TestPlaybackTrack::tissueThatGaveWayIsPlaced() {
     auto connection = m_site.database->openReader();
     auto events = database::SessionReader(**connection, database::Actor::simulated()).events(m_unsafe);
     QVERIFY(frames && track && events);
-    QVERIFY(count(*track, PlaybackMarkKind::yielded) > 0);
-    QCOMPARE(count(*track, PlaybackMarkKind::yielded),
-             eventsOf(*m_site.database, m_unsafe, "tissue_yielded"));
+    QVERIFY(count(*track, mark_kinds::kYielded) > 0);
+    QCOMPARE(count(*track, mark_kinds::kYielded), eventsOf(*m_site.database, m_unsafe, "tissue_yielded"));
     for (const session::PlaybackMark& mark : track->marks) {
-        if (mark.kind != PlaybackMarkKind::yielded)
+        if (mark.kind != mark_kinds::kYielded)
             continue;
         const auto frame = std::find_if(frames->begin(), frames->end(), [&](const core::HapticFrame& each) {
             return each.header.index == mark.tick;
@@ -219,18 +219,16 @@ void TestPlaybackTrack::trialsAndMarks() {
         QVERIFY(std::abs(trial.end_s - truth.tools[0].t_s.back()) < 1e-9);
         QVERIFY(std::abs(trial.start_s - truth.tools[0].t_s.front()) < 1e-9);
     }
-    QCOMPARE(count(track, PlaybackMarkKind::trialStarted),
-             eventsOf(*m_site.database, m_unsafe, "trial_started"));
-    QCOMPARE(count(track, PlaybackMarkKind::marked), eventsOf(*m_site.database, m_unsafe, "marked"));
-    QVERIFY(count(track, PlaybackMarkKind::missed) > 0); // a hand that marks beside the sphere
-    QCOMPARE(count(track, PlaybackMarkKind::missed), eventsOf(*m_site.database, m_unsafe, "missed"));
-    QCOMPARE(count(track, PlaybackMarkKind::overLimit),
-             eventsOf(*m_site.database, m_unsafe, "force_over_limit"));
-    QVERIFY(count(track, PlaybackMarkKind::overLimit) > 0);
-    QVERIFY(count(track, PlaybackMarkKind::contact) > 0);
+    QCOMPARE(count(track, mark_kinds::kTrialStarted), eventsOf(*m_site.database, m_unsafe, "trial_started"));
+    QCOMPARE(count(track, mark_kinds::kMarked), eventsOf(*m_site.database, m_unsafe, "marked"));
+    QVERIFY(count(track, mark_kinds::kMissed) > 0); // a hand that marks beside the sphere
+    QCOMPARE(count(track, mark_kinds::kMissed), eventsOf(*m_site.database, m_unsafe, "missed"));
+    QCOMPARE(count(track, mark_kinds::kOverLimit), eventsOf(*m_site.database, m_unsafe, "force_over_limit"));
+    QVERIFY(count(track, mark_kinds::kOverLimit) > 0);
+    QVERIFY(count(track, mark_kinds::kContact) > 0);
     for (const session::PlaybackMark& mark : track.marks) {
         QVERIFY(mark.end_s >= mark.t_s && mark.end_s <= track.duration_s);
-        if (mark.kind == PlaybackMarkKind::overLimit)
+        if (mark.kind == mark_kinds::kOverLimit)
             QVERIFY(*mark.value > track.forceLimit_N);
     }
     QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(),
@@ -245,8 +243,8 @@ void TestPlaybackTrack::completedTrials() {
             frame.header.events ^= core::event_bits::kMarked | core::event_bits::kCompleted;
     const database::SessionId id = tests::store(*m_site.database, database::Actor::simulated(), made);
     const PlaybackTrack track = trackOf(*m_site.database, id);
-    QCOMPARE(count(track, PlaybackMarkKind::completed), 2);
-    QCOMPARE(count(track, PlaybackMarkKind::marked), 0);
+    QCOMPARE(count(track, mark_kinds::kCompleted), 2);
+    QCOMPARE(count(track, mark_kinds::kMarked), 0);
     QCOMPARE(eventsOf(*m_site.database, id, "completed"), 2);
     for (const session::PlaybackTrial& trial : track.trials)
         QVERIFY(trial.completed && !trial.marked && !trial.timedOut);
@@ -267,7 +265,7 @@ void TestPlaybackTrack::pausesAreSpans() {
     QCOMPARE(track.paused.size(), std::size_t{2});
     QCOMPARE(track.paused[0].begin_s, 4.0);
     QCOMPARE(track.paused[0].end_s, 5.2);
-    QCOMPARE(count(track, PlaybackMarkKind::paused), 2);
+    QCOMPARE(count(track, mark_kinds::kPaused), 2);
     QVERIFY(track.pausedAt(4.5) && !track.pausedAt(5.5) && track.pausedAt(6.05));
     QVERIFY(track.at(4.5).moment.paused && !track.at(5.5).moment.paused);
 }
@@ -278,7 +276,7 @@ void TestPlaybackTrack::stoppedAndInterrupted() {
     const auto stopped = tests::store(*m_site.database, database::Actor::simulated(), made);
     const PlaybackTrack track = trackOf(*m_site.database, stopped);
     QCOMPARE(track.duration_s, 3.999);
-    QCOMPARE(count(track, PlaybackMarkKind::ended), 1);
+    QCOMPARE(count(track, mark_kinds::kEnded), 1);
     QCOMPARE(track.trials.size(), std::size_t{1});
     QVERIFY(!track.trials[0].marked && !track.trials[0].timedOut);
     QCOMPARE(track.trials[0].end_s, track.duration_s);
@@ -288,7 +286,7 @@ void TestPlaybackTrack::stoppedAndInterrupted() {
     const auto interrupted = tests::store(*m_site.database, database::Actor::simulated(), made);
     const PlaybackTrack cut = trackOf(*m_site.database, interrupted);
     QCOMPARE(cut.duration_s, 3.999);
-    QCOMPARE(count(cut, PlaybackMarkKind::ended), 0);
+    QCOMPARE(count(cut, mark_kinds::kEnded), 0);
     OpenStored stored(*m_site.database, interrupted);
     QCOMPARE(stored.session->record().summary.state, database::SessionState::interrupted);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
 #include "support/looked_back.h"
@@ -148,7 +149,7 @@ void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
             static_cast<double>(frame.tool[0].deviceTime_us - frames->front().tool[0].deviceTime_us) * 1e-6;
         if (frame.header.events & core::event_bits::kStageChanged)
             changes_s.push_back(t_s);
-        if (frame.header.events & core::procedure_bits::kLandmarkSeen)
+        if (frame.header.events & simulation::procedure_bits::kLandmarkSeen)
             seen_s.push_back(t_s);
     }
     QCOMPARE(changes_s.size(), std::size_t{4});

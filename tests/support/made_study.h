@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "psychophysics/designs/latin_square.h"

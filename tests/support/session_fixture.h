@@ -63,7 +63,7 @@ public:
             recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
         const auto kind = session::exerciseKind(level.exercise);
         auto station = session::scriptedStation(**kind, level, operatorName, seed,
-                                                mechanisms::PolarMap::exact, mechanism, {}, hand);
+                                                {.mechanism = mechanism, .hand = hand});
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);

@@ -111,7 +111,7 @@ private:
         for (const session::PlaybackMark& mark : m_track.marks)
             m_lines << QStringLiteral(
                            "mark %1, trial %2, tool %3, %4 to %5, critical %6, costs %7, %8, %9 \"%10\"")
-                           .arg(static_cast<int>(mark.kind))
+                           .arg(QString::fromUtf8(mark.kind.id.data(), qsizetype(mark.kind.id.size())))
                            .arg(mark.trial)
                            .arg(mark.tool)
                            .arg(milli(mark.t_s), milli(mark.end_s))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
 #include "cli/demo_pictures.h"
 #include "cli/demo_study_table.h"
-#include "cli/messages.h"
 #include "cli/session_output.h"
 #include "cli/site_access.h"
 #include "cli/text_table.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
 #include "cli/input_file.h"
 #include "cli/law_table.h"
-#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "core/fp_environment.h"
 

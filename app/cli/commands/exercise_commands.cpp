@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
 #include "cli/arguments.h"
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
-#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "core/languages.h"
 #include "core/units.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
 #include "cli/input_file.h"
-#include "cli/messages.h"
 #include "simulation/geometry/mesh/mesh_import.h"
 
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
-#include "cli/messages.h"
 #include "cli/score_output.h"
 #include "cli/text_table.h"
 #include "scoring/metric_catalogue.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
-#include "cli/messages.h"
 #include "cli/site_access.h"
 #include "cli/text_table.h"
 #include "database/upkeep/upkeep.h"

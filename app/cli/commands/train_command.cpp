@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cli_errors.h"
 #include "cli/command_groups.h"
-#include "cli/messages.h"
 #include "cli/session_output.h"
 #include "cli/site_access.h"
 #include "core/units.h"
 #include "database/accounts/account_service.h"
+#include "devices/kinematics_catalogue.h"
 #include "session/exercise_kind.h"
 #include "session/site.h"
 
@@ -66,12 +67,12 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     asked.seed = *seed;
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
-    const auto map =
-        arguments.choice(QStringLiteral("force-map"),
-                         {QStringLiteral("exact"), QStringLiteral("as-published")}, QStringLiteral("exact"));
+    QStringList maps;
+    for (const std::string_view id : devices::forceMapIds())
+        maps << QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
+    const auto map = arguments.choice(QStringLiteral("force-map"), maps, maps.front());
     CHIRON_TRY(map);
-    if (*map == QLatin1String("as-published"))
-        asked.map = mechanisms::PolarMap::asPublished;
+    asked.forceMap = map->toStdString();
     asked.mechanism = arguments.value(QStringLiteral("mechanism")).toStdString();
     auto turn = baseTurnOf(arguments);
     CHIRON_TRY(turn);

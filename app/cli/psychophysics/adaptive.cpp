@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
 #include "catalogue/procedure_reader.h"
+#include "cli/cli_errors.h"
 #include "cli/input_file.h"
-#include "cli/messages.h"
 #include "cli/psychophysics/adaptive_lines.h"
 #include "cli/psychophysics/handlers.h"
 #include "cli/session_output.h"

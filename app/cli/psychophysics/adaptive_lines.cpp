@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/psychophysics/adaptive_lines.h"
 
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 #include "psychophysics/study/arrangement.h"
 
 #include <QJsonArray>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 #include "cli/psychophysics/fit_data.h"
 #include "cli/psychophysics/handlers.h"
 #include "cli/text_table.h"

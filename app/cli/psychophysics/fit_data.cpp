@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/psychophysics/fit_data.h"
 
+#include "cli/cli_errors.h"
 #include "cli/csv_table.h"
-#include "cli/messages.h"
 #include "psychophysics/fits/fit.h"
 #include "psychophysics/fits/prepared_levels.h"
 

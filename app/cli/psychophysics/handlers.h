@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/arguments.h"
-#include "cli/command.h"
+#include "cli/command_spec.h"
 
 namespace chiron::cli {
 

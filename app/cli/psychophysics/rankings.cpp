@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cli_errors.h"
 #include "cli/csv_table.h"
-#include "cli/messages.h"
 #include "cli/psychophysics/handlers.h"
 #include "cli/text_table.h"
 #include "psychophysics/measures/agreement.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/study/questionnaire_cell.h"
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
+#include "cli/cli_errors.h"
 #include "cli/input_file.h"
-#include "cli/messages.h"
 #include "cli/study/questionnaire_sheet.h"
 #include "cli/study/study_access.h"
 #include "database/repositories/study_repository.h"

@@ -2,8 +2,8 @@
 #include "cli/study/questionnaire_sheet.h"
 
 #include "catalogue/json_file.h"
+#include "cli/cli_errors.h"
 #include "cli/csv_table.h"
-#include "cli/messages.h"
 #include "cli/study/questionnaire_cell.h"
 
 #include <QJsonArray>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/study_reader.h"
-#include "cli/messages.h"
+#include "catalogue/study_json.h"
+#include "cli/cli_errors.h"
 #include "cli/study/questionnaire_sheet.h"
 #include "cli/study/study_access.h"
 #include "session/study/questionnaire_replies.h"

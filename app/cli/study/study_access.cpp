@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/study/study_access.h"
 
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 
 #include <QJsonArray>
 #include <array>

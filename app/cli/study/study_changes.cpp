@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
-#include "cli/messages.h"
+#include "catalogue/study_json.h"
+#include "cli/cli_errors.h"
 #include "cli/study/study_access.h"
 #include "cli/study/study_file.h"
 #include "cli/text_table.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/study/study_file.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "cli/input_file.h"
 
 #include <QFileInfo>

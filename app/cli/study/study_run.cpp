@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 #include "cli/session_output.h"
 #include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"

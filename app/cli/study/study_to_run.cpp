@@ -2,12 +2,12 @@
 #include "cli/study/study_to_run.h"
 
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
-#include "cli/messages.h"
+#include "catalogue/study_json.h"
+#include "cli/cli_errors.h"
 #include "cli/study/study_access.h"
 #include "cli/study/study_file.h"
 #include "database/repositories/study_repository.h"
-#include "session/study/study_check.h"
+#include "session/study/study_run_check.h"
 
 namespace chiron::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/command.h"
+#include "cli/command_spec.h"
 #include "cli/site_access.h"
 #include "database/repositories/study_reader.h"
 #include "session/study/study_runner.h"

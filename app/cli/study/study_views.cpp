@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
-#include "cli/messages.h"
+#include "catalogue/study_json.h"
+#include "cli/cli_errors.h"
 #include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
 #include "cli/study/study_file.h"
 #include "cli/text_table.h"
 #include "psychophysics/planning/study_plan.h"
 #include "session/new_folder.h"
-#include "session/study/study_check.h"
+#include "session/study/study_run_check.h"
 #include "session/study_export.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `study run STUDY --person CODE`: opens the desktop program at that person's trial.
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 #include "cli/study/study_to_run.h"
 
 #include <QCoreApplication>

@@ -10,7 +10,7 @@
 #include "desktop/accounts/password_fields.h"
 #include "desktop/accounts/wait_countdown.h"
 #include "desktop/frame/app_context.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"

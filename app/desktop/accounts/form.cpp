@@ -3,7 +3,7 @@
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/app_context.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>

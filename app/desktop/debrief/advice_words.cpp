@@ -3,10 +3,10 @@
 
 #include "catalogue/exercise.h"
 #include "core/units.h"
-#include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/report_text.h"
 #include "session_report/mark_words.h"
+#include "session_report/metric_words.h"
 
 #include <QCoreApplication>
 
@@ -43,8 +43,8 @@ QString momentSentence(const QString& text, const session::WorstMoment& moment, 
     const QLatin1String valuePlace(catalogue::kMomentValue), eventPlace(catalogue::kMomentEvent),
         wherePlace(catalogue::kMomentWhere);
     const QString where = whereWords(moment, several, locale);
-    const QString value =
-        report::formatValue(moment.value, unitText(QString::fromStdString(moment.unit)), locale);
+    const QString value = report::formatValue(
+        moment.value, session_report::unitText(QString::fromStdString(moment.unit)), locale);
     const bool fits = !text.isEmpty() && (!text.contains(valuePlace) || hasValue) &&
                       (!text.contains(eventPlace) || moment.event) &&
                       (!counted || moment.event); // otherwise the trial with the most of them

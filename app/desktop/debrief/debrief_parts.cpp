@@ -6,7 +6,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/home/comment_list.h"
 #include "desktop/plots/responsive_row.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"

@@ -6,8 +6,7 @@
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/file_folder.h"
-#include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -15,6 +14,7 @@
 #include "report/report_text.h"
 #include "report/report_writer.h"
 #include "session/exercise_kind.h"
+#include "session_report/metric_words.h"
 
 #include <QFileDialog>
 #include <algorithm>
@@ -94,7 +94,7 @@ void DebriefScreen::load() {
 void DebriefScreen::showHead(DebriefHead head) {
     m_head = std::move(head);
     for (report::MetricRow& row : m_head->report.metrics)
-        row.unit = unitText(row.unit);
+        row.unit = session_report::unitText(row.unit);
     m_column->addWidget(headBox());
     m_column->addWidget(verdictBox());
     if (QWidget* decisions = decisionsBox())
@@ -208,7 +208,7 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
-    const QString metric = momentTitle(QString::fromStdString(worst.reason));
+    const QString metric = session_report::momentTitle(QString::fromStdString(worst.reason));
     // The trial's time is counted as on the training screen, because the playback's clock starts before the
     // trial.
     const QString into = clockText(worst.intoTrial_s, locale);
@@ -218,7 +218,8 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
         counted ? metric
                 : tr("%1: %2").arg(
                       metric,
-                      report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
+                      report::formatValue(
+                          worst.value, session_report::unitText(QString::fromStdString(worst.unit)), locale));
     const QString where =
         m_head->record.setup.plannedTrials > 1
             ? tr("%1 in trial %2, %3 after it began").arg(what, locale.toString(worst.trial + 1), into)

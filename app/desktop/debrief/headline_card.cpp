@@ -2,9 +2,9 @@
 #include "desktop/debrief/headline_card.h"
 
 #include "desktop/debrief/band_bar.h"
-#include "desktop/plots/metric_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 
 namespace chiron::desktop {
 
@@ -17,7 +17,8 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
     const int padding = theme.px(16);
     column->setContentsMargins(padding, theme.px(12), padding, theme.px(12));
     column->setSpacing(theme.px(4));
-    column->addWidget(kit::label(theme, metricTitle(row.id, row.trials), TextStyle::label, "muted"));
+    column->addWidget(
+        kit::label(theme, session_report::metricTitle(row.id, row.trials), TextStyle::label, "muted"));
     auto* value = kit::label(theme, report::formatValue(row.value, row.unit, locale), TextStyle::display);
     value->setObjectName(QStringLiteral("headline.value"));
     column->addWidget(value);
@@ -41,16 +42,18 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
     verdict->addWidget(verdictLabel, 1);
     column->addLayout(verdict);
     if (!row.value)
-        column->addWidget(kit::label(theme, metricReason(row.reason), TextStyle::small, "muted"));
+        column->addWidget(
+            kit::label(theme, session_report::metricReason(row.reason), TextStyle::small, "muted"));
     const QString band = report::formatBand(row, locale);
     if (!band.isEmpty())
-        column->addWidget(kit::label(theme, tr("Benchmark %1 (%2)").arg(band, bandSourceText(row.bandSource)),
-                                     TextStyle::small, "muted"));
+        column->addWidget(kit::label(
+            theme, tr("Benchmark %1 (%2)").arg(band, session_report::bandSourceText(row.bandSource)),
+            TextStyle::small, "muted"));
     if (row.chance)
         column->addWidget(kit::label(theme, report::chanceWords(row, locale), TextStyle::small, "muted"));
     column->addStretch();
-    bar->setToolTip(metricMeaning(row.id, row.trials));
-    setToolTip(metricMeaning(row.id, row.trials));
+    bar->setToolTip(session_report::metricMeaning(row.id, row.trials));
+    setToolTip(session_report::metricMeaning(row.id, row.trials));
 }
 
 } // namespace chiron::desktop

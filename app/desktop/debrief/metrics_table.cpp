@@ -2,9 +2,9 @@
 #include "desktop/debrief/metrics_table.h"
 
 #include "desktop/debrief/meaning_table.h"
-#include "desktop/plots/metric_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 
 namespace chiron::desktop {
 
@@ -35,9 +35,11 @@ void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>
     m_table->setRowCount(static_cast<int>(rows.size()));
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
         const report::MetricRow& row = rows[static_cast<std::size_t>(i)];
-        const QString meaning = metricMeaning(row.id, row.trials);
-        put(i, 0, metricTitle(row.id, row.trials), meaning);
-        put(i, 1, row.value ? report::formatValue(row.value, row.unit, locale) : metricReason(row.reason),
+        const QString meaning = session_report::metricMeaning(row.id, row.trials);
+        put(i, 0, session_report::metricTitle(row.id, row.trials), meaning);
+        put(i, 1,
+            row.value ? report::formatValue(row.value, row.unit, locale)
+                      : session_report::metricReason(row.reason),
             meaning);
         put(i, 2, report::formatGate(row, locale), meaning);
         const QString band = report::formatBand(row, locale);

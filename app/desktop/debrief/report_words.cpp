@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/report_words.h"
 
-#include "desktop/plots/metric_words.h"
+#include "session_report/metric_words.h"
 
 namespace chiron::desktop {
 
@@ -10,13 +10,13 @@ void translateReport(report::ReportData& data, const ReportNames& names) {
     data.exerciseTitle = names.exercise;
     data.device = names.device;
     for (report::MetricRow& row : data.metrics) {
-        row.name = metricTitle(row.id, row.trials);
+        row.name = session_report::metricTitle(row.id, row.trials);
         if (row.unit != QLatin1String("count")) // stays a token, because it makes numbers appear as integers
-            row.unit = unitText(row.unit);
+            row.unit = session_report::unitText(row.unit);
         if (!row.reason.isEmpty())
-            row.reason = metricReason(row.reason);
+            row.reason = session_report::metricReason(row.reason);
         if (!row.bandSource.isEmpty())
-            row.bandSource = bandSourceText(row.bandSource);
+            row.bandSource = session_report::bandSourceText(row.bandSource);
     }
 }
 

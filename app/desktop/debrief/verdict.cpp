@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/verdict.h"
 
-#include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 
 #include <QCoreApplication>
 
@@ -149,11 +149,11 @@ double overBy(const report::MetricRow& row) {
 } // namespace
 
 QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
-    const QString name = metricTitle(row.id, row.trials);
+    const QString name = session_report::metricTitle(row.id, row.trials);
     const QString gate = report::formatGate(row, locale);
     if (!row.value)
         return Words::tr("%1: no value (%2), but the pass mark is %3")
-            .arg(name, metricReason(row.reason), gate);
+            .arg(name, session_report::metricReason(row.reason), gate);
     const QString value = report::formatValue(row.value, row.unit, locale);
     const QString by =
         row.unit == QLatin1String("%")
@@ -185,7 +185,8 @@ QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
                           is = report::formatValue(row.value, row.unit, locale);
             // An unchanged value within its pass mark is not worth mentioning.
             if (tells == wanted && (was != is || tells != Tells::other))
-                changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id, row.trials), was, is);
+                changes
+                    << Words::tr("%1 %2 → %3").arg(session_report::metricTitle(row.id, row.trials), was, is);
         }
     if (changes.isEmpty())
         return {};

@@ -34,10 +34,10 @@ core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool too
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
 
-/// Whether the mechanism of the exercise's demonstration offers a choice of force maps.
-bool canMapForce(const session::ExerciseKind* kind) {
+/// The force maps among which the mechanism of the exercise's demonstration offers a choice, or null.
+const devices::ForceMaps* forceMapsOf(const session::ExerciseKind* kind) {
     const auto* kinematics = devices::findKinematics(kind ? kind->mechanism() : session::kUsualMechanism);
-    return kinematics && kinematics->mapOf;
+    return kinematics ? kinematics->forceMaps : nullptr;
 }
 
 /// The person's own devices first, then demonstrations, then recordings, each group in the catalogue's order.
@@ -72,7 +72,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
         column->addWidget(tile);
     }
     m_pages->addWidget(new QWidget); // one page per MovedBy, in its order
-    m_pages->addWidget(demonstrationPage(operators, canMapForce(kind)));
+    m_pages->addWidget(demonstrationPage(operators, forceMapsOf(kind)));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -97,7 +97,7 @@ QString DeviceChooser::titleOf(const devices::Driver& driver) const {
 QString DeviceChooser::healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const {
     switch (driver.movedBy) {
     case devices::MovedBy::scriptedOperator:
-        return demonstratedOn(kind);
+        return demonstratedOn(driver, kind);
     case devices::MovedBy::recording:
         return m_tool == session::PointerTool::endoscope
                    ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
@@ -111,12 +111,12 @@ QString DeviceChooser::healthOf(const devices::Driver& driver, const session::Ex
                                                              : StationWords::needs(driver);
 }
 
-QString DeviceChooser::demonstratedOn(const session::ExerciseKind* kind) const {
+QString DeviceChooser::demonstratedOn(const devices::Driver& driver,
+                                      const session::ExerciseKind* kind) const {
     if (!kind || kind->operatorNames().empty())
         return tr("There is no demonstration of this exercise on this station.");
     return tr("Ready. Watch a scripted operator. Device: %1.")
-        .arg(StationWords::device(devices::usualDriver(devices::MovedBy::scriptedOperator),
-                                  kind->mechanism()));
+        .arg(StationWords::device(driver, kind->mechanism()));
 }
 
 QWidget* DeviceChooser::addTile(int index, const QString& health) {
@@ -127,7 +127,8 @@ QWidget* DeviceChooser::addTile(int index, const QString& health) {
     return tile;
 }
 
-QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators, bool forceMap) {
+QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators,
+                                          const devices::ForceMaps* forceMaps) {
     const Theme& theme = m_context.theme();
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
@@ -143,8 +144,8 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     m_operator->setCurrentIndex(std::max(m_operator->findData(QStringLiteral("expert")), 0));
     column->addWidget(label);
     column->addWidget(m_operator);
-    if (forceMap)
-        addForceMap(*column);
+    if (forceMaps)
+        addForceMap(*column, *forceMaps);
     column->addWidget(kit::label(theme,
                                  tr("The session is listed as simulated and does not count for anyone."),
                                  TextStyle::small, "muted"));
@@ -152,14 +153,16 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     return page;
 }
 
-void DeviceChooser::addForceMap(QVBoxLayout& column) {
-    auto* label = kit::label(m_context.theme(), tr("How the gimbal renders force"), TextStyle::label);
+void DeviceChooser::addForceMap(QVBoxLayout& column, const devices::ForceMaps& forceMaps) {
+    const QString title = StationWords::text(forceMaps.title);
+    auto* label = kit::label(m_context.theme(), title, TextStyle::label);
     m_forceMap = new QComboBox;
     m_forceMap->setObjectName(QStringLiteral("setup.force_map"));
-    m_forceMap->setAccessibleName(tr("How the gimbal renders force"));
+    m_forceMap->setAccessibleName(title);
     label->setBuddy(m_forceMap);
-    m_forceMap->addItem(tr("Exactly"));
-    m_forceMap->addItem(tr("By the published formulas (error up to 27 %)"));
+    for (const devices::ForceMap& map : forceMaps.maps)
+        m_forceMap->addItem(StationWords::text(map.name),
+                            QString::fromUtf8(map.id.data(), static_cast<qsizetype>(map.id.size())));
     column.addWidget(label);
     column.addWidget(m_forceMap);
     connect(m_forceMap, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
@@ -209,7 +212,7 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
     if (const int at = m_operator->findData(plan.operatorName); at >= 0)
         m_operator->setCurrentIndex(at);
     if (m_forceMap)
-        m_forceMap->setCurrentIndex(plan.forceMap == mechanisms::PolarMap::asPublished ? 1 : 0);
+        m_forceMap->setCurrentIndex(std::max(m_forceMap->findData(plan.forceMap), 0));
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
@@ -220,8 +223,7 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {
     plan.driver = &driver();
     plan.operatorName = m_operator->currentData().toString();
-    plan.forceMap = m_forceMap && m_forceMap->currentIndex() == 1 ? mechanisms::PolarMap::asPublished
-                                                                  : mechanisms::PolarMap::exact;
+    plan.forceMap = m_forceMap ? m_forceMap->currentData().toString() : QString();
     plan.traceFile = m_traceFile;
 }
 

@@ -43,10 +43,11 @@ signals:
 private:
     QString titleOf(const devices::Driver& driver) const;
     QString healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const;
-    QString demonstratedOn(const session::ExerciseKind* kind) const;
+    QString demonstratedOn(const devices::Driver& driver, const session::ExerciseKind* kind) const;
     QWidget* addTile(int index, const QString& health);
-    QWidget* demonstrationPage(const std::vector<std::string>& operators, bool forceMap);
-    void addForceMap(QVBoxLayout& column);
+    QWidget* demonstrationPage(const std::vector<std::string>& operators,
+                               const devices::ForceMaps* forceMaps);
+    void addForceMap(QVBoxLayout& column, const devices::ForceMaps& forceMaps);
     QWidget* tracePage();
     void show(const devices::Driver& driver);
     void askTrace();

@@ -2,10 +2,10 @@
 #include "desktop/exercise_setup/gate_words.h"
 
 #include "desktop/exercise_face.h"
-#include "desktop/plots/metric_words.h"
 #include "scoring/metric_catalogue.h"
 #include "session/exercise_kind.h"
 #include "session/level_limits.h"
+#include "session_report/metric_words.h"
 
 #include <algorithm>
 
@@ -37,8 +37,8 @@ QString inLevel(const scoring::Gate& gate, const catalogue::ExerciseLevel& level
         return gateInWords(gate, locale);
     const int more_percent = qRound(100.0 * (*gate.maximum / *limit_N - 1.0));
     return GateTexts::tr("%1: at most %2 N, with %3 % more for the time it takes to react")
-        .arg(metricTitle(QString::fromStdString(gate.metric)), locale.toString(*limit_N, 'g', 3),
-             locale.toString(more_percent));
+        .arg(session_report::metricTitle(QString::fromStdString(gate.metric)),
+             locale.toString(*limit_N, 'g', 3), locale.toString(more_percent));
 }
 
 } // namespace
@@ -62,7 +62,7 @@ QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& 
 QString gateInWords(const scoring::Gate& gate, const QLocale& locale) {
     const scoring::MetricDefinition* metric = scoring::findMetric(gate.metric);
     const std::string_view unit = metric ? metric->unit : std::string_view();
-    const QString title = metricTitle(QString::fromStdString(gate.metric));
+    const QString title = session_report::metricTitle(QString::fromStdString(gate.metric));
     if (gate.minimum && gate.maximum)
         return GateTexts::tr("%1: from %2 to %3")
             .arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));

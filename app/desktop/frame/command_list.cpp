@@ -2,7 +2,7 @@
 #include "desktop/frame/command_list.h"
 
 #include "desktop/frame/app_context.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/screen_catalogue.h"
 
 #include <QCoreApplication>

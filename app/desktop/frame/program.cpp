@@ -4,7 +4,7 @@
 #include "desktop/backups/exit_backup.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/instance_link.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/start_trace.h"
 #include "desktop/restore/restore_screen.h"

@@ -2,17 +2,17 @@
 #include "desktop/home/exercise_picture.h"
 
 #include "desktop/exercise_face.h"
+#include "simulation/scene_parameters.h"
 
 #include <QPainter>
 #include <QPainterPath>
-#include <algorithm>
 
 namespace chiron::desktop {
 
 ExercisePicture::ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px,
                                  QWidget* parent)
     : QWidget(parent), m_theme(theme), m_size(theme.px(size_px.width()), theme.px(size_px.height())) {
-    const bool shown = std::find(level.cues.begin(), level.cues.end(), "object") != level.cues.end();
+    const bool shown = simulation::hasCue(level.cues, "object");
     if (const auto face = exerciseFace(level.exercise))
         m_picture = (*face)->picture(level, {theme, m_size, shown});
     setFixedSize(m_size);

@@ -3,7 +3,7 @@
 
 #include "desktop/accounts/form.h"
 #include "desktop/frame/app_context.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>

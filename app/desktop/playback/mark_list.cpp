@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/mark_list.h"
 
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QListWidget>
 
 namespace chiron::desktop {
@@ -53,7 +54,7 @@ void MarkList::fill() {
     for (const session::PlaybackMark& mark : m_marks) {
         if (m_penaltiesOnly->isChecked() && !session::isPenalty(mark.kind))
             continue;
-        if (mark.kind == session::PlaybackMarkKind::contact && !m_contacts->isChecked())
+        if (mark.kind == session::mark_kinds::kContact && !m_contacts->isChecked())
             continue;
         auto* item = new QListWidgetItem(
             m_theme.icon(markIcon(mark), markColour(mark.kind)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/moment_words.h"
 
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 
 namespace chiron::desktop {
 

@@ -2,7 +2,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_screen.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/scene3d/scene_view.h"
 #include "scoring/metric_catalogue.h"
 

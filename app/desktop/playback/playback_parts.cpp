@@ -7,7 +7,7 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/playback/transport_bar.h"
 #include "desktop/plots/responsive_row.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/scene3d/scene_view.h"
 #include "desktop/widgets/kit.h"

@@ -7,7 +7,7 @@
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/scrubber.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/sessions/session_words.h"
@@ -279,7 +279,7 @@ void PlaybackScreen::seekMark(int direction) {
     const double now_s = m_clock.position_s();
     std::optional<double> target_s;
     for (const session::PlaybackMark& mark : m_data->track.marks) {
-        if (mark.kind == session::PlaybackMarkKind::contact)
+        if (mark.kind == session::mark_kinds::kContact)
             continue;
         if (direction > 0 && mark.t_s > now_s + kHere_s && !target_s)
             target_s = mark.t_s;

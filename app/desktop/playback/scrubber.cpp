@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/scrubber.h"
 
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/playback/playback_clock.h"
 
 #include <QHelpEvent>
@@ -14,7 +14,7 @@
 
 namespace chiron::desktop {
 
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 
 Scrubber::Scrubber(const Theme& theme, QWidget* parent) : QAbstractSlider(parent), m_theme(theme) {
     setOrientation(Qt::Horizontal);
@@ -37,8 +37,8 @@ void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& 
     m_paused = track.paused;
     m_marks.clear();
     for (const session::PlaybackMark& mark : track.marks)
-        if (mark.kind != PlaybackMarkKind::contact && mark.kind != PlaybackMarkKind::paused &&
-            mark.kind != PlaybackMarkKind::trialStarted)
+        if (mark.kind != mark_kinds::kContact && mark.kind != mark_kinds::kPaused &&
+            mark.kind != mark_kinds::kTrialStarted)
             m_marks.push_back(mark);
     const QSignalBlocker quiet(this);
     setRange(0, qRound(1e3 * m_duration_s));
@@ -168,8 +168,7 @@ void Scrubber::paintMarks(QPainter& painter) const {
         if (session::isPenalty(mark.kind)) {
             painter.drawPolygon(QPolygonF(
                 {QPointF(x, top), QPointF(x - size, top - 1.8 * size), QPointF(x + size, top - 1.8 * size)}));
-        } else if (mark.kind == PlaybackMarkKind::marked || mark.kind == PlaybackMarkKind::found ||
-                   mark.kind == PlaybackMarkKind::completed) {
+        } else if (mark.kind.flag) {
             painter.drawRect(QRectF(x - 0.15 * size, top - 2.2 * size, 0.3 * size, 2.2 * size));
             painter.drawRect(QRectF(x, top - 2.2 * size, 1.3 * size, 1.1 * size));
         } else {

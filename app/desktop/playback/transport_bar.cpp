@@ -2,7 +2,7 @@
 #include "desktop/playback/transport_bar.h"
 
 #include "desktop/plots/responsive_row.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/results/attempts_table.h"
 
-#include "desktop/plots/metric_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/sessions/session_words.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 
 #include <QKeyEvent>
 #include <algorithm>
@@ -39,7 +39,8 @@ void AttemptsTable::put(int row, int column, const QString& text, const QString&
 
 void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& metric) {
     setHorizontalHeaderLabels({tr("When"), tr("Attempt"), tr("Force"),
-                               metric.isEmpty() ? tr("Value") : metricTitle(metric), tr("Outcome")});
+                               metric.isEmpty() ? tr("Value") : session_report::metricTitle(metric),
+                               tr("Outcome")});
     setRowCount(static_cast<int>(attempts.size()));
     for (int row = 0; row < rowCount(); ++row) {
         const Attempt& attempt = attempts[attempts.size() - 1 - static_cast<std::size_t>(row)];
@@ -55,7 +56,8 @@ void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& me
         put(row, 4, outcomeText(summary), outcomeIcon(summary), outcomeColour(summary));
         const scoring::MetricValue* value = attempt.metric(metric.toStdString());
         put(row, 3,
-            value ? report::formatValue(value->value, unitText(QString::fromStdString(value->unit)), m_locale)
+            value ? report::formatValue(
+                        value->value, session_report::unitText(QString::fromStdString(value->unit)), m_locale)
                   : QStringLiteral("–"));
         item(row, 3)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }

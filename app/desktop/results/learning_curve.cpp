@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/results/learning_curve.h"
 
-#include "desktop/plots/metric_words.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -54,7 +54,7 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
                                                 const report::MetricRow& row,
                                                 const report::PlotTheme& theme) {
     auto view = std::make_unique<report::PlotView>(theme);
-    const QString title = metricTitle(row.id);
+    const QString title = session_report::metricTitle(row.id);
     view->setTitle(Words::tr("%1 over the attempts").arg(title));
     const bool counts = row.unit == QLatin1String("count");
     view->setYAxis(
@@ -72,8 +72,8 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
         for (double& x : curve->x)
             x -= named ? 1.0 : 0.0; // categories start at 0
     if (row.bandLow && row.bandHigh && !felt.x.empty())
-        view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow,
-                      *row.bandHigh);
+        view->addBand(Words::tr("benchmark, felt (%1)").arg(session_report::bandSourceText(row.bandSource)),
+                      *row.bandLow, *row.bandHigh);
     draw(*view, Words::tr("felt"), felt, report::PlotStyle::solidA);
     draw(*view, Words::tr("shown, not felt"), shown, report::PlotStyle::dashedB);
     for (const auto& gate : {row.gateMinimum, row.gateMaximum})

@@ -4,10 +4,9 @@
 #include "desktop/exercise_face.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/file_folder.h"
-#include "desktop/plots/metric_words.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/results/attempts_table.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_part.h"
@@ -16,6 +15,7 @@
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 #include "session/level_limits.h"
+#include "session_report/metric_words.h"
 #include "session_report/session_report.h"
 
 #include <QComboBox>
@@ -275,7 +275,7 @@ void ResultsScreen::fillMetrics() {
     for (auto attempt = attempts.rbegin(); attempt != attempts.rend(); ++attempt)
         for (const scoring::MetricValue& value : attempt->metrics)
             if (const QString id = QString::fromStdString(value.id); m_metric->findData(id) < 0)
-                m_metric->addItem(metricTitle(id), id);
+                m_metric->addItem(session_report::metricTitle(id), id);
     const QString main =
         level && !level->gates.empty() ? QString::fromStdString(level->gates.front().metric) : QString();
     const int wanted = m_metric->findData(place().parameters.value(QStringLiteral("metric"), main));
@@ -288,7 +288,7 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
     row.id = m_metric->currentData().toString();
     for (const Attempt& attempt : attempts)
         if (const scoring::MetricValue* value = attempt.metric(row.id.toStdString()))
-            row.unit = unitText(QString::fromStdString(value->unit));
+            row.unit = session_report::unitText(QString::fromStdString(value->unit));
     const catalogue::ExerciseLevel* level = context().site().catalogue().find(
         m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
     for (const scoring::Gate& gate : level ? level->gates : std::vector<scoring::Gate>{}) {

@@ -2,7 +2,7 @@
 #include "desktop/settings/settings_screen.h"
 
 #include "desktop/frame/app_context.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/settings/site_box.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"

@@ -9,11 +9,6 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kMostLate = 0.003; // speed.md: share of all ticks that may be more than 100 µs late
-
-/// Translates a text that a driver's entry marks for translation.
-QString marked(std::string_view text) {
-    return text.empty() ? QString() : QCoreApplication::translate("Drivers", std::string(text).c_str());
-}
 } // namespace
 
 double StationWords::lateShare(const session::LoopReport& loop) {
@@ -24,16 +19,20 @@ double StationWords::mostLate() noexcept {
     return kMostLate;
 }
 
+QString StationWords::text(std::string_view marked) {
+    return marked.empty() ? QString() : QCoreApplication::translate("Drivers", std::string(marked).c_str());
+}
+
 QString StationWords::driver(const devices::Driver& entry) {
-    return marked(entry.name.empty() ? entry.title : entry.name);
+    return text(entry.name.empty() ? entry.title : entry.name);
 }
 
 QString StationWords::device(const devices::Driver& entry, std::string_view kinematics) {
-    return marked(devices::nameOf(entry, kinematics));
+    return text(devices::nameOf(entry, kinematics));
 }
 
 QString StationWords::needs(const devices::Driver& entry) {
-    return marked(entry.readiness.empty() ? entry.needs : entry.readiness);
+    return text(entry.readiness.empty() ? entry.needs : entry.readiness);
 }
 
 QString StationWords::forceClass(devices::DeviceClass deviceClass) {

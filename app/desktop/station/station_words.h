@@ -18,6 +18,8 @@ class StationWords {
 public:
     static QString driver(const devices::Driver& entry);
     static QString needs(const devices::Driver& entry);
+    /// A text that a driver's entry marks for translation.
+    static QString text(std::string_view marked);
     /// The common name of a device of this driver with these kinematics; empty: use its model.
     static QString device(const devices::Driver& entry, std::string_view kinematics);
     static QString forceClass(devices::DeviceClass deviceClass);

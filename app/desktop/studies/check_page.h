@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/studies/check_list.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 
 namespace chiron::desktop {
 

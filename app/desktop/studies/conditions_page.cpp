@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/conditions_page.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/difference_table.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/consent_dialog.h"
 
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"

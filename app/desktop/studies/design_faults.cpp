@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/design_faults.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 

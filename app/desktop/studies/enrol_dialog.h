@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/people/form_dialog.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 
 class QLineEdit;
 

@@ -2,7 +2,7 @@
 #include "desktop/studies/freeze_dialog.h"
 
 #include "desktop/studies/check_list.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>

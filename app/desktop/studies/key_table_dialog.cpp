@@ -2,7 +2,7 @@
 #include "desktop/studies/key_table_dialog.h"
 
 #include "desktop/plots/fitted_table.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 

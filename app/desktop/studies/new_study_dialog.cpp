@@ -8,7 +8,7 @@
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/rules_page.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/participant_sentences.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Actions on the list of studies.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include "catalogue/whole_file.h"
 #include "desktop/frame/file_folder.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/studies_screen.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/studies/study_words.h"
 
 #include <QCheckBox>

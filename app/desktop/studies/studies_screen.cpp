@@ -2,7 +2,7 @@
 #include "desktop/studies/studies_screen.h"
 
 #include "desktop/plots/fitted_table.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"

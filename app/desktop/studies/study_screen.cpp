@@ -2,7 +2,7 @@
 #include "desktop/studies/study_screen.h"
 
 #include "desktop/accounts/notice_area.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/studies/check_page.h"
 #include "desktop/studies/conditions_page.h"

@@ -5,8 +5,8 @@
 #include "desktop/frame/screen.h"
 #include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/study_draft.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/studies/study_page.h"
-#include "desktop/studies/study_store.h"
 
 #include <QTimer>
 

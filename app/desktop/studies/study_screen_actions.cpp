@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checking, storing, freezing, importing and exporting a design.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include "catalogue/whole_file.h"
 #include "desktop/accounts/notice_area.h"

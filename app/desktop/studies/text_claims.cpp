@@ -3,7 +3,7 @@
 
 #include "catalogue/language_words.h"
 #include "desktop/frame/app_context.h"
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_page.h"
 #include "desktop/studies/study_words.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/withdraw_dialog.h"
 
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>

@@ -3,7 +3,7 @@
 
 #include "core/result.h"
 #include "desktop/frame/screen.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 
 #include <optional>
 #include <vector>

@@ -22,18 +22,18 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     case devices::MovedBy::person:
         return session::personStation(*plan.driver, plan.workspace, **kind, level);
     case devices::MovedBy::scriptedOperator: {
-        session::WorkspaceChoice mounting;
+        const std::string forceMap = plan.forceMap.toStdString();
+        session::ScriptedDevice held{.driver = plan.driver, .forceMap = forceMap};
         if ((*kind)->operatorsKnowTheirPlace())
-            mounting.turn_rad = plan.workspace.turn_rad;
-        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap,
-                                        {}, mounting);
+            held.mounting.turn_rad = plan.workspace.turn_rad;
+        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, held);
     }
     case devices::MovedBy::recording:
         break;
     }
     auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
     CHIRON_TRY(rows);
-    return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level));
+    return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level), *plan.driver);
 }
 
 /// The driver with this name in a plan; an unknown name gives the default driver.
@@ -50,7 +50,7 @@ QVariantMap TrainingPlan::toMap() const {
                     {QStringLiteral("device"),
                      QString::fromUtf8(driver->planWord.data(), qsizetype(driver->planWord.size()))},
                     {QStringLiteral("operator"), operatorName},
-                    {QStringLiteral("as_published"), forceMap == mechanisms::PolarMap::asPublished},
+                    {QStringLiteral("force_map"), forceMap},
                     {QStringLiteral("trace"), traceFile},
                     {QStringLiteral("scale"), workspace.scale},
                     {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
@@ -74,8 +74,7 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.level = map.value(QStringLiteral("level"), 1).toInt();
     plan.driver = driverOf(map.value(QStringLiteral("device")).toString());
     plan.operatorName = map.value(QStringLiteral("operator")).toString();
-    if (map.value(QStringLiteral("as_published")).toBool())
-        plan.forceMap = mechanisms::PolarMap::asPublished;
+    plan.forceMap = map.value(QStringLiteral("force_map")).toString();
     plan.traceFile = map.value(QStringLiteral("trace")).toString();
     plan.workspace.scale = map.value(QStringLiteral("scale"), 1.0).toDouble();
     plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(),

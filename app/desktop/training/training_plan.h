@@ -18,10 +18,11 @@ struct TrainingPlan {
     int level = 1;
     /// From the catalogue, never null.
     const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::person);
-    QString operatorName;                                        ///< for a demonstration
-    mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< for a demonstration on the gimbal
-    QString traceFile;                                           ///< for a trace
-    session::WorkspaceChoice workspace;                          ///< for the mouse
+    QString operatorName; ///< for a demonstration
+    /// For a demonstration on a mechanism with several (KinematicsEntry::forceMaps); empty: the usual one.
+    QString forceMap;
+    QString traceFile;                  ///< for a trace
+    session::WorkspaceChoice workspace; ///< for the mouse
     bool familiarisation = false;
     /// For the mouse: a familiarisation of this length, after which the level itself is offered. 0: none.
     double practice_s = 0.0;

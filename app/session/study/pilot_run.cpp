@@ -2,7 +2,7 @@
 #include "session/study/pilot_run.h"
 
 #include "catalogue/language_words.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 

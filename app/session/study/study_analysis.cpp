@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_analysis.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "core/random.h"
 #include "session/study/apex_analysis.h"
 #include "session/study/mark_sessions.h"

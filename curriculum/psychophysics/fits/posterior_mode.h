@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "psychophysics/fits/posterior_grid.h"
+#include "psychophysics/fits/density_grid.h"
 
 namespace chiron::psychophysics {
 

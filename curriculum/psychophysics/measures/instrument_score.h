@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "psychophysics/measures/questionnaire_summary.h"
+#include "psychophysics/measures/questionnaire_measures.h"
 #include "psychophysics/study/study_design.h"
 
 #include <optional>

@@ -11,7 +11,7 @@ list(APPEND psychophysics_sources
     measures/page_trend.cpp
     measures/paired_models.cpp
     measures/plackett_luce.cpp
-    measures/questionnaire_summary.cpp
+    measures/questionnaire_measures.cpp
     measures/random_effects.cpp
     measures/ranking_summary.cpp
     measures/run_curve.cpp

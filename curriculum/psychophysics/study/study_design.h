@@ -113,7 +113,7 @@ enum class OrderDesign : std::uint8_t {
 }; ///< "fixed", "random", "latin_square", "williams"
 
 /// A study as it is designed, frozen and run. Its JSON is described in content/schema/study.json;
-/// catalogue/study_reader reads and writes it.
+/// catalogue/study_json reads and writes it.
 struct StudyDesign {
     std::string id; ///< snake_case
     StudyText title;

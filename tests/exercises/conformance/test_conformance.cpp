@@ -10,7 +10,7 @@
 #include "desktop/debrief/report_words.h"
 #include "desktop/exercise_face.h"
 #include "desktop/playback/playback_scene.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
@@ -27,6 +27,7 @@
 #include "scoring/trace_csv.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
+#include "session_report/mark_words.h"
 #include "support/desktop_fixture.h"
 #include "support/patience.h"
 #include "support/pdf_text.h"
@@ -689,6 +690,9 @@ void TestConformance::screensAndReportOpen() {
         const auto layer = face().playbackLayer(stored.view->setup(), *trace);
         const double middle_s = 0.5 * track->duration_s;
         QVERIFY(!layer->readout(*track, track->at(middle_s), middle_s, locale).isEmpty());
+        for (const session::PlaybackMark& mark : track->marks)
+            QVERIFY2(!session_report::whatHappened(mark, exercise().id, locale).isEmpty(),
+                     std::string(mark.kind.id).c_str());
         opens(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise().id)},
                                           {QStringLiteral("level"), level().number}});
         isPrinted(id, language);

@@ -6,7 +6,10 @@
 #include "app/exercises/elastic_tube/desktop/tube_grasping.h"
 #include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
+#include "app/exercises/sphere_apex/session/apex_marks.h"
 #include "app/exercises/urethra_insertion/desktop/stage_words.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "database/accounts/account_service.h"
 #include "database/upkeep/upkeep.h"
 #include "desktop/accounts/account_words.h"
@@ -15,8 +18,8 @@
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/frame/messages.h"
 #include "desktop/home/exercise_card.h"
-#include "desktop/playback/mark_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/playback/mark_look.h"
+#include "desktop/plots/session_token_words.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/station/platform_check.h"
 #include "desktop/station/platform_words.h"
@@ -44,6 +47,7 @@
 #include "support/languages.h"
 
 #include <QtTest>
+#include <set>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -119,12 +123,20 @@ private slots:
     }
 
     void marks() {
-        for (int k = 0; k <= static_cast<int>(session::PlaybackMarkKind::lumpMissed); ++k) {
+        using namespace session::mark_kinds;
+        std::set<std::string_view> ids;
+        for (const session::PlaybackMarkKind& kind :
+             {kTrialStarted, kMarked,     kTimedOut,  kTraceEnded, kContact,    kOverLimit, kPaused,
+              kForceStopped, kRearmed,    kGuard,     kFault,      kEnded,      kCompleted, kStageChanged,
+              kLandmarkSeen, kTrauma,     kReversal,  kOffCentre,  kOverTorque, kGrasped,   kReleased,
+              kSlipped,      kDamaged,    kFound,     kTakenBack,  kYielded,    kFailed,    kLimited,
+              kMissed,       kFalseAlarm, kLumpMissed}) {
+            QVERIFY(ids.insert(kind.id).second);
             session::PlaybackMark mark;
-            mark.kind = static_cast<session::PlaybackMarkKind>(k);
+            mark.kind = kind;
             const QString plain = markIcon(mark);
             mark.critical = true;
-            say({QString::number(k), plain, markIcon(mark),
+            say({QString::fromUtf8(kind.id.data(), qsizetype(kind.id.size())), plain, markIcon(mark),
                  QString::number(static_cast<int>(markColour(mark.kind)))});
         }
         hold("marks");
@@ -622,7 +634,7 @@ private slots:
         plan.exercise = QStringLiteral("palpation");
         plan.level = 4;
         plan.operatorName = QStringLiteral("expert");
-        plan.forceMap = mechanisms::PolarMap::asPublished;
+        plan.forceMap = QStringLiteral("as-published");
         plan.traceFile = QStringLiteral("/a/hand.csv");
         plan.workspace.scale = 0.75;
         plan.workspace.origin_m = {0.01, 0.02, 0.03};

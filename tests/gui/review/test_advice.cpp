@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Advice on a missed pass mark says what the recording shows: how much, and where. For each exercise on a
 // made recording.
+#include "app/exercises/palpation/session/palpation_marks.h"
+#include "app/exercises/sphere_apex/session/apex_marks.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "catalogue/catalogue.h"
 #include "core/languages.h"
 #include "desktop/debrief/advice_words.h"
@@ -16,7 +19,7 @@
 #include <vector>
 
 using namespace chiron;
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 
 namespace {
 
@@ -53,7 +56,8 @@ session::PlaybackTrack twoTrials(const char* exercise) {
     return track;
 }
 
-session::PlaybackMark markAt(double t_s, int trial, PlaybackMarkKind kind, std::optional<double> value = {}) {
+session::PlaybackMark markAt(double t_s, int trial, const session::PlaybackMarkKind& kind,
+                             std::optional<double> value = {}) {
     session::PlaybackMark mark;
     mark.t_s = mark.end_s = t_s;
     mark.trial = trial;
@@ -106,10 +110,10 @@ private slots:
         QCOMPARE(told(track, "apex_error_mean", missed("apex_error_mean", "% of R")),
                  QStringLiteral("You were farthest from the highest point in trial 2, 0:10.0 after it began: "
                                 "37.0 % of the radius."));
-        track.marks = {markAt(19.0, 1, PlaybackMarkKind::missed), markAt(9.5, 0, PlaybackMarkKind::timedOut)};
+        track.marks = {markAt(19.0, 1, mark_kinds::kMissed), markAt(9.5, 0, mark_kinds::kTimedOut)};
         QCOMPARE(told(track, "apex_misses", missed("apex_misses", "count")),
                  QStringLiteral("Your first miss was in trial 1, 0:09.5 after it began."));
-        track.marks = {markAt(13.0, 1, PlaybackMarkKind::yielded, 6.0)};
+        track.marks = {markAt(13.0, 1, mark_kinds::kYielded, 6.0)};
         QCOMPARE(told(track, "critical_errors", missed("critical_errors", "count")),
                  QStringLiteral("The tissue gave way at 6.00 N, in trial 2, 0:03.0 after it began."));
         track.tools[1250].tissue_N = core::Vec3(0.0, 0.0, 3.2);
@@ -119,8 +123,8 @@ private slots:
 
     void palpation() {
         session::PlaybackTrack track = twoTrials("palpation");
-        track.marks = {markAt(12.0, 1, PlaybackMarkKind::falseAlarm, 1.0),
-                       markAt(20.0, 1, PlaybackMarkKind::lumpMissed)};
+        track.marks = {markAt(12.0, 1, mark_kinds::kFalseAlarm, 1.0),
+                       markAt(20.0, 1, mark_kinds::kLumpMissed)};
         QCOMPARE(told(track, "palpation_misses", missed("palpation_misses", "count")),
                  QStringLiteral("The first lump that you missed was in trial 2."));
         QCOMPARE(told(track, "palpation_false_alarms", missed("palpation_false_alarms", "count")),
@@ -136,7 +140,7 @@ private slots:
         track.quantities.front().values[700] = 2.5;
         QCOMPARE(told(track, "retraction_max", missed("retraction_max", "N")),
                  QStringLiteral("You pulled hardest on the fold in trial 1, 0:07.0 after it began: 2.50 N."));
-        track.marks = {markAt(14.0, 1, PlaybackMarkKind::slipped), markAt(15.0, 1, PlaybackMarkKind::failed)};
+        track.marks = {markAt(14.0, 1, mark_kinds::kSlipped), markAt(15.0, 1, mark_kinds::kFailed)};
         QCOMPARE(told(track, "drops", missed("drops", "count")),
                  QStringLiteral("You first lost your hold in trial 2, 0:04.0 after it began."));
         QCOMPARE(told(track, "procedure_completed", missed("procedure_completed", "%")), // where it tore
@@ -173,7 +177,7 @@ private slots:
         QCOMPARE(told(track, "curve_alignment", missed("curve_alignment", "°"), false),
                  QStringLiteral("In the bend, the endoscope was farthest out of line with the canal at a "
                                 "depth of 30.0 mm, 0:01.5 after the start: 27.0 °."));
-        track.marks = {markAt(track.moments[1000].t_s, 0, PlaybackMarkKind::trauma, 1.8)}; // 4 s
+        track.marks = {markAt(track.moments[1000].t_s, 0, mark_kinds::kTrauma, 1.8)}; // 4 s
         QCOMPARE(
             told(track, "trauma_events", missed("trauma_events", "count"), false),
             QStringLiteral("You pressed hardest against the wall at a depth of 40.0 mm, 0:02.0 after the "
@@ -186,7 +190,7 @@ private slots:
     }
 
     void everySentenceIsFilledInInEveryLanguage() {
-        session::PlaybackMark event = markAt(3.0, 0, PlaybackMarkKind::yielded, 6.0);
+        session::PlaybackMark event = markAt(3.0, 0, mark_kinds::kYielded, 6.0);
         session::WorstMoment moment;
         moment.t_s = moment.intoTrial_s = 3.0;
         moment.value = 37.0;

@@ -5,9 +5,9 @@
 #include "desktop/debrief/band_bar.h"
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/debrief/verdict.h"
-#include "desktop/plots/metric_words.h"
 #include "report/plot_view.h"
 #include "review_sessions.h"
+#include "session_report/metric_words.h"
 #include "support/patience.h"
 
 #include <QHeaderView>
@@ -128,7 +128,8 @@ void TestDebrief::everyMissedMarkHasAdvice() {
         for (const scoring::MetricValue& metric : card.metrics)
             if (metric.id == one.metric && metric.passed == std::optional<bool>(false)) {
                 QVERIFY2(reasons[expected.size()].startsWith(
-                             QStringLiteral("•  ") + desktop::metricTitle(QString::fromStdString(metric.id))),
+                             QStringLiteral("•  ") +
+                             session_report::metricTitle(QString::fromStdString(metric.id))),
                          qPrintable(reasons.join(QLatin1Char('|'))));
                 expected << QString::fromStdString(one.text.at("en"));
             }
@@ -196,7 +197,7 @@ void TestDebrief::aCauseIsToldBeforeWhatItLeadsTo() {
     const QStringList order{QStringLiteral("apex_misses"), QStringLiteral("apex_error_mean"),
                             QStringLiteral("time")};
     for (qsizetype i = 0; i < order.size(); ++i)
-        QVERIFY2(verdict.reasons[i].startsWith(desktop::metricTitle(order[i])),
+        QVERIFY2(verdict.reasons[i].startsWith(session_report::metricTitle(order[i])),
                  qPrintable(verdict.reasons.join(QLatin1Char('|'))));
     QCOMPARE(verdict.advice.size(), std::size_t(3));
     for (std::size_t i = 0; i < 3; ++i)

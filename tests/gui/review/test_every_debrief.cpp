@@ -3,9 +3,11 @@
 // in each language: no word and no plot of another exercise, and its own where there is something to show. By
 // default one level of each exercise; CHIRON_EVERY_LEVEL=1: all of them. CHIRON_PICTURES=<folder> keeps what
 // is seen.
+#include "app/exercises/palpation/session/palpation_marks.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"
@@ -460,21 +462,21 @@ void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise
 
 /// It is complete, and yet nobody marked, found, took hold of or saw anything.
 void TestEveryDebrief::isUnmarked(database::SessionId id) {
-    using enum session::PlaybackMarkKind;
+    using namespace session::mark_kinds;
     auto connection = m_site->database().openReader();
     const auto view = session::SessionView::open(**connection, *m_tina, id);
     QVERIFY2(view, view ? "" : view.error().message.c_str());
     QVERIFY((*view)->record().summary.state == database::SessionState::completed);
     const auto track = (*view)->track();
     QVERIFY2(track, track ? "" : track.error().message.c_str());
-    const auto has = [&](session::PlaybackMarkKind kind) {
+    const auto has = [&](const session::PlaybackMarkKind& kind) {
         return std::any_of((*track)->marks.begin(), (*track)->marks.end(),
-                           [kind](const session::PlaybackMark& mark) { return mark.kind == kind; });
+                           [&kind](const session::PlaybackMark& mark) { return mark.kind == kind; });
     };
-    QVERIFY(has(timedOut));
-    for (const session::PlaybackMarkKind kind :
-         {marked, found, falseAlarm, takenBack, grasped, landmarkSeen, completed, failed, yielded})
-        QVERIFY2(!has(kind), qPrintable(QString::number(static_cast<int>(kind))));
+    QVERIFY(has(kTimedOut));
+    for (const session::PlaybackMarkKind& kind :
+         {kMarked, kFound, kFalseAlarm, kTakenBack, kGrasped, kLandmarkSeen, kCompleted, kFailed, kYielded})
+        QVERIFY2(!has(kind), std::string(kind.id).c_str());
 }
 
 // What a page marks is what the score counts: of a hand that breaks tissue, and of one that does not.

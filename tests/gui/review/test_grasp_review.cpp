@@ -4,7 +4,7 @@
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/exercise_face.h"
 #include "desktop/playback/grasp_moment.h"
-#include "desktop/playback/mark_words.h"
+#include "desktop/playback/mark_look.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
@@ -261,7 +261,7 @@ private slots:
                     plots.speed().legendTexts().contains(name));
         session::PlaybackMark& broken = track.marks.emplace_back();
         broken.t_s = broken.end_s = 0.5;
-        broken.kind = session::PlaybackMarkKind::yielded;
+        broken.kind = session::mark_kinds::kYielded;
         broken.tool = 1;
         broken.critical = true;
         broken.value = 8.0;
@@ -280,11 +280,11 @@ private slots:
              {std::tuple{0.5, 0, 0.010}, std::tuple{1.0, 0, 0.020}, std::tuple{0.1, 1, 0.030}}) {
             session::PlaybackMark& mark = track.marks.emplace_back();
             mark.t_s = mark.end_s = t_s;
-            mark.kind = session::PlaybackMarkKind::yielded;
+            mark.kind = session::mark_kinds::kYielded;
             mark.trial = trial;
             mark.p_W = core::Vec3(x_m, 0.0, 0.040);
         }
-        track.marks.emplace_back().kind = session::PlaybackMarkKind::yielded; // nobody knows where
+        track.marks.emplace_back().kind = session::mark_kinds::kYielded; // nobody knows where
         const auto shown = [&](double t_s) { return sceneStateAt(track, nullptr, t_s).p_WYielded; };
         QVERIFY(shown(0.4).empty());
         QCOMPARE(shown(0.6).size(), std::size_t{1});
@@ -293,9 +293,9 @@ private slots:
     }
 
     void everyMarkOfGraspingHasWordsAndASign() {
-        using enum session::PlaybackMarkKind;
+        using namespace session::mark_kinds;
         std::set<QString> said;
-        for (const session::PlaybackMarkKind kind : {grasped, released, slipped, damaged, failed}) {
+        for (const session::PlaybackMarkKind& kind : {kGrasped, kReleased, kSlipped, kDamaged, kFailed}) {
             session::PlaybackMark mark;
             mark.kind = kind;
             QVERIFY(!markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()).isEmpty() &&
@@ -303,8 +303,8 @@ private slots:
             said.insert(markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()));
         }
         QCOMPARE(said.size(), std::size_t(5));
-        QVERIFY(session::isPenalty(slipped) && session::isPenalty(damaged) && session::isPenalty(failed));
-        QVERIFY(!session::isPenalty(grasped) && !session::isPenalty(released));
+        QVERIFY(session::isPenalty(kSlipped) && session::isPenalty(kDamaged) && session::isPenalty(kFailed));
+        QVERIFY(!session::isPenalty(kGrasped) && !session::isPenalty(kReleased));
     }
 
     void nothingWhereNothingIsGrasped() {

@@ -81,7 +81,7 @@ void TestInsertionReview::plotsOfACanal() {
 
 void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
     session::PlaybackMark mark;
-    mark.kind = session::PlaybackMarkKind::yielded;
+    mark.kind = session::mark_kinds::kYielded;
     mark.value = 8.0;
     const auto said = [&] { return session_report::markText(mark, "urethra_insertion", QLocale::c()); };
     QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")),

@@ -7,7 +7,7 @@
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/people/login_slips.h"
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 #include "report/check_record.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"

@@ -5,15 +5,16 @@
 #include "app/exercises/palpation/desktop/palpation_map_view.h"
 #include "app/exercises/palpation/desktop/roc_box.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
-#include "desktop/plots/metric_words.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
+#include "session_report/metric_words.h"
 #include "support/every_place.h"
 #include "support/palpation_session.h"
 
@@ -178,15 +179,15 @@ private slots:
             return std::count_if(events->begin(), events->end(),
                                  [kind](const auto& event) { return event.kind == kind; });
         };
-        const auto marked = [&](session::PlaybackMarkKind kind) {
+        const auto marked = [&](const session::PlaybackMarkKind& kind) {
             return std::count_if(data.track.marks.begin(), data.track.marks.end(),
                                  [kind](const auto& mark) { return mark.kind == kind; });
         };
         QVERIFY(scored("palpation_misses") > 0 && scored("palpation_false_alarms") > 0);
         QCOMPARE(stored("lump_missed"), scored("palpation_misses"));
         QCOMPARE(stored("false_alarm"), scored("palpation_false_alarms"));
-        QCOMPARE(marked(session::PlaybackMarkKind::lumpMissed), scored("palpation_misses"));
-        QCOMPARE(marked(session::PlaybackMarkKind::falseAlarm), scored("palpation_false_alarms"));
+        QCOMPARE(marked(session::mark_kinds::kLumpMissed), scored("palpation_misses"));
+        QCOMPARE(marked(session::mark_kinds::kFalseAlarm), scored("palpation_false_alarms"));
         QVERIFY(std::is_sorted(events->begin(), events->end(),
                                [](const auto& a, const auto& b) { return a.tick < b.tick; }));
         for (const database::EventRecord& event : *events)
@@ -314,7 +315,8 @@ private slots:
     void everyMetricHasWords() {
         const auto* level = m_desktop->context.site().catalogue().find("palpation", 1);
         for (const auto& metric : level->metrics)
-            QVERIFY2(!desktop::metricMeaning(QString::fromStdString(metric.id)).isEmpty(), metric.id.c_str());
+            QVERIFY2(!session_report::metricMeaning(QString::fromStdString(metric.id)).isEmpty(),
+                     metric.id.c_str());
     }
 
 private:

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "desktop/scene3d/drawn_mesh.h"
 #include "desktop/scene3d/parts/dent.h"
-#include "desktop/scene3d/triangle_mesh.h"
 
 #include <QString>
 #include <vector>

@@ -3,7 +3,7 @@
 // what is true beside it; and by somebody in a hurry, who leaves fields empty, types values that cannot be,
 // and pastes numbers with commas.
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "desktop/studies/check_list.h"
 #include "desktop/studies/conditions_page.h"
 #include "desktop/studies/difference_table.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the researcher's screens that need no site: forms, drafts, words.
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/difference_table.h"

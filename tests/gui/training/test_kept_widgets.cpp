@@ -210,11 +210,11 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale,
         track.trials.push_back(trial);
     }
     track.paused = {{9.0, 12.0}};
-    using session::PlaybackMarkKind;
-    for (const auto& [t_s, end_s, kind] : {std::tuple{5.0, 6.5, PlaybackMarkKind::overLimit},
-                                           {18.0, 18.0, PlaybackMarkKind::marked},
-                                           {30.0, 30.0, PlaybackMarkKind::slipped},
-                                           {38.0, 38.0, PlaybackMarkKind::timedOut}}) {
+    namespace mark_kinds = session::mark_kinds;
+    for (const auto& [t_s, end_s, kind] : {std::tuple{5.0, 6.5, mark_kinds::kOverLimit},
+                                           {18.0, 18.0, mark_kinds::kMarked},
+                                           {30.0, 30.0, mark_kinds::kSlipped},
+                                           {38.0, 38.0, mark_kinds::kTimedOut}}) {
         session::PlaybackMark mark;
         mark.t_s = t_s;
         mark.end_s = end_s;

@@ -13,9 +13,11 @@
 #include "support/painted_shapes.h"
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QWindow>
 #include <QtTest>
 #include <set>
@@ -44,6 +46,16 @@ protected:
     void showReadings(const haptics::DisplayState&) override { ++read; }
 };
 
+/// A driver beside the usual one, which says that it was asked.
+devices::Driver anotherDriver(devices::MovedBy movedBy) {
+    devices::Driver driver = devices::usualDriver(movedBy);
+    driver.id = "another";
+    driver.open = [](devices::DriverRequest) -> core::Result<std::vector<devices::DriverTool>> {
+        return core::fail(core::ErrorCode::device, "the other driver was asked");
+    };
+    return driver;
+}
+
 } // namespace
 
 class TestTrainingParts : public QObject {
@@ -65,6 +77,7 @@ private slots:
     void aPanelCountsTheTimeWorked();
     void aPanelSaysWhereNothingIsMeasured();
     void aPlanComesBackFromItsPlace();
+    void theChosenDriverIsAsked();
 };
 
 void TestTrainingParts::everyPeakStays() {
@@ -428,6 +441,33 @@ void TestTrainingParts::aPlanComesBackFromItsPlace() {
     QCOMPARE(again.toMap(), plan.toMap());
     QCOMPARE(TrainingPlan::fromMap({}).workspace.scale, 1.0);
     QVERIFY(TrainingPlan::fromMap({{QStringLiteral("device"), QStringLiteral("lathe")}}).ownHand());
+}
+
+void TestTrainingParts::theChosenDriverIsAsked() {
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    QVERIFY(catalogue.has_value());
+    QTemporaryDir folder;
+    QFile trace(folder.filePath(QStringLiteral("hand.csv")));
+    QVERIFY(trace.open(QIODevice::WriteOnly));
+    trace.write("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n1,0,0,50\n");
+    trace.close();
+    TrainingPlan plan;
+    plan.exercise = QStringLiteral("sphere_apex");
+    plan.operatorName = QStringLiteral("expert");
+    plan.traceFile = trace.fileName();
+    const catalogue::ExerciseLevel& level = *catalogue->find("sphere_apex", 1);
+    for (const devices::MovedBy mover :
+         {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording}) {
+        plan.driver = &devices::usualDriver(mover);
+        const auto usual = desktop::requestOf(plan, level);
+        QVERIFY2(usual.has_value(), usual ? "" : usual.error().message.c_str());
+        const devices::Driver another = anotherDriver(mover);
+        plan.driver = &another;
+        const auto asked = desktop::requestOf(plan, level);
+        QVERIFY(!asked);
+        QVERIFY2(asked.error().message.ends_with("the other driver was asked"),
+                 asked.error().message.c_str());
+    }
 }
 
 QTEST_MAIN(TestTrainingParts)

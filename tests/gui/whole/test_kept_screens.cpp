@@ -15,7 +15,7 @@
 #include "desktop/sessions/session_row.h"
 #include "desktop/station/station_facts.h"
 #include "desktop/storage/storage_facts.h"
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 #include "desktop/study_data/study_facts.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The instruments that come with the program, and what a study keeps of them.
 #include "catalogue/instrument_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "core/languages.h"
 #include "psychophysics/measures/instrument_score.h"
 #include "study_samples.h"

@@ -12,7 +12,7 @@
 #include "catalogue/object_reader.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "catalogue/whole_file.h"
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "simulation/comparison/comparison_parameters.h"

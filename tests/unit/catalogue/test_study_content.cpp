@@ -5,7 +5,7 @@
 #include "catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "simulation/comparison/comparison_parameters.h"
 
 #include <QJsonArray>

@@ -2,7 +2,7 @@
 #include "study_samples.h"
 
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include <QDir>
 #include <QFile>

@@ -15,6 +15,7 @@
 #include "cues/laparoscopy_cues.h"
 #include "cues/procedure_stage.h"
 #include "modules/exercises/palpation/cues/findings_book.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "support/cue_numbers.h"
 
 #include <QDirIterator>
@@ -247,8 +248,8 @@ void TestCore::numbersOfTheRecording() {
     {
         using namespace event_bits;
         bits({kSceneChanged, kTrialStarted, kMarked, kTimedOut, kContactBegan, kContactEnded, kFinished,
-              kCompleted, kStageChanged, procedure_bits::kLandmarkSeen, kGrasped, kReleased, kSlipped,
-              kDamaged, kFailed, kSlowApplied});
+              kCompleted, kStageChanged, chiron::simulation::procedure_bits::kLandmarkSeen, kGrasped,
+              kReleased, kSlipped, kDamaged, kFailed, kSlowApplied});
     }
     {
         using namespace sample_status;

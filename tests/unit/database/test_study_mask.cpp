@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_site.h"
 
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_blinding.h"
 #include "database/repositories/study_mask.h"
 

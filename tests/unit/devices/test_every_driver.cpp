@@ -109,6 +109,38 @@ private slots:
             QVERIFY(devices::usualDriver(mover).movedBy == mover);
     }
 
+    /// A mechanism that can convert force in several ways names each, and makes a device that says which one
+    /// it uses.
+    void everyForceMapCanBeChosen() {
+        int choices = 0;
+        for (const devices::Driver* driver : devices::driverCatalogue())
+            for (const devices::KinematicsEntry& kinematics : driver->kinematics) {
+                QVERIFY(devices::hasForceMap(&kinematics, {}));
+                QVERIFY(devices::hasForceMap(&kinematics, devices::kExactForceMap));
+                QVERIFY(!devices::hasForceMap(&kinematics, "by-feel"));
+                if (kinematics.forceMaps == nullptr)
+                    continue;
+                const devices::ForceMaps& choice = *kinematics.forceMaps;
+                QVERIFY(!choice.title.empty() && choice.maps.size() > 1);
+                QCOMPARE(text(choice.maps.front().id), text(devices::kExactForceMap));
+                std::set<std::string_view> ids;
+                for (const devices::ForceMap& map : choice.maps) {
+                    QVERIFY(!map.name.empty() && ids.insert(map.id).second);
+                    QVERIFY(devices::hasForceMap(&kinematics, map.id));
+                    devices::DriverRequest request = tests::requestForAnyDriver(kinematics.id);
+                    request.forceMap = std::string(map.id);
+                    const auto made = driver->open(std::move(request));
+                    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+                    QCOMPARE(text(choice.of(made->front().device->descriptor())), text(map.id));
+                    ++choices;
+                }
+                devices::DriverRequest unknown = tests::requestForAnyDriver(kinematics.id);
+                unknown.forceMap = "by-feel";
+                QVERIFY(!driver->open(std::move(unknown)));
+            }
+        QVERIFY(choices >= 2);
+    }
+
     void discoveryNeedsNoHardware_data() { eachDriver(); }
     void discoveryNeedsNoHardware() {
         for (const devices::FoundDevice& found : current().discover())

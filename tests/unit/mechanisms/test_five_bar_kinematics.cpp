@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
 #include "core/units.h"
-#include "mechanisms/evaluate_laws.h"
 #include "mechanisms/five_bar_kinematics.h"
 #include "mechanisms/five_bar_plant_parameters.h"
+#include "mechanisms/mechanism_laws.h"
 
 #include <QtTest>
 #include <algorithm>

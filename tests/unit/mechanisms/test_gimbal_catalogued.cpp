@@ -2,8 +2,8 @@
 #include "core/units.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "devices/kinematics_catalogue.h"
-#include "mechanisms/evaluate_laws.h"
 #include "mechanisms/gimbal_kinematics.h"
+#include "mechanisms/mechanism_laws.h"
 
 #include <QtTest>
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
-#include "session_report/exercise_section.h"
+#include "session_report/exercise_reporter.h"
 #include "simulation/comparison/comparison_parameters.h"
 #include "support/kept_figures.h"
 #include "unit/scoring/drawn_traces.h"

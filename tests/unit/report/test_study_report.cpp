@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The printed report of a study, as pdftotext reads it. CHIRON_KEEP_PICTURES=<folder> keeps the files.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/study_runner.h"
 #include "session_report/study_report.h"

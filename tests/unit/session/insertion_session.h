@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "frames.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
+#include "session/exercise_kind.h"
 #include "session/playback_track.h"
 
 #include <limits>
@@ -59,10 +62,11 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
     frames[0].header.events = core::event_bits::kTrialStarted;
     for (const std::size_t at : {std::size_t{100}, std::size_t{1200}, std::size_t{1600}})
         frames[at].header.events |= core::event_bits::kStageChanged;
-    frames[1300].header.events |= core::procedure_bits::kLandmarkSeen;
-    frames[1500].header.events |= core::procedure_bits::kLandmarkSeen;
+    frames[1300].header.events |= simulation::procedure_bits::kLandmarkSeen;
+    frames[1500].header.events |= simulation::procedure_bits::kLandmarkSeen;
     frames[2000].header.events |= lastEvent;
-    session::MarkExtractor marks(4.0, 1);
+    const session::ExerciseKind& kind = **session::exerciseKind("urethra_insertion");
+    session::MarkExtractor marks(4.0, 1, false, {}, nullptr, kind.sceneEvents());
     session::PlaybackTrack track;
     track.exercise = "urethra_insertion";
     track.toolCount = 1;
@@ -83,7 +87,7 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
 }
 
 inline std::vector<session::PlaybackMark> ofKind(const session::PlaybackTrack& track,
-                                                 session::PlaybackMarkKind kind) {
+                                                 const session::PlaybackMarkKind& kind) {
     std::vector<session::PlaybackMark> found;
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.kind == kind)

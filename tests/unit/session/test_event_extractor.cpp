@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact_bits.h"
-#include "cues/procedure_stage.h"
 #include "frames.h"
 #include "session/event_extractor.h"
 
@@ -18,8 +17,9 @@ namespace {
 constexpr double kLimit_N = 2.0;
 constexpr std::uint64_t kSeed = 99;
 
-session::EventExtractor extracted(const std::vector<core::HapticFrame>& frames, int tools = 1) {
-    session::EventExtractor extractor(kLimit_N, kSeed, tools);
+session::EventExtractor extracted(const std::vector<core::HapticFrame>& frames, int tools = 1,
+                                  std::span<const session::SceneEvent> sceneEvents = {}) {
+    session::EventExtractor extractor(kLimit_N, kSeed, tools, nullptr, sceneEvents);
     extractor.add(frames);
     return extractor;
 }
@@ -217,11 +217,11 @@ void TestEventExtractor::procedures() {
     auto frames = someFrames(20);
     frames[2].header.events = bits::kTrialStarted;
     frames[4].header.events = bits::kStageChanged;
-    frames[7].header.events = core::procedure_bits::kLandmarkSeen;
-    frames[9].header.events =
-        core::procedure_bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
+    const session::SceneEvent seen[]{{1u << 9, "landmark_seen", {"landmark_seen", "view-visible"}}};
+    frames[7].header.events = seen[0].bit;
+    frames[9].header.events = seen[0].bit | bits::kStageChanged; // the last one begins the withdrawal
     frames[15].header.events = bits::kCompleted | bits::kStageChanged;
-    const auto extractor = extracted(frames);
+    const auto extractor = extracted(frames, 1, seen);
     QCOMPARE(named(extractor), (Named{{"trial_started", 2},
                                       {"stage_changed", 4},
                                       {"landmark_seen", 7},
@@ -232,6 +232,9 @@ void TestEventExtractor::procedures() {
     QCOMPARE(trials.size(), std::size_t{1});
     QVERIFY(trials[0].marked && !trials[0].timedOut && trials[0].state == SessionState::completed);
     QCOMPARE(trials[0].lastTick, std::uint64_t{15});
+    // The bit says nothing in an exercise that gives it no meaning.
+    QCOMPARE(named(extracted(frames)),
+             (Named{{"trial_started", 2}, {"stage_changed", 4}, {"stage_changed", 9}, {"completed", 15}}));
     frames[15].header.events = bits::kTimedOut;
     const auto late = extracted(frames);
     QCOMPARE(late.events().back().kind, std::string("timed_out"));

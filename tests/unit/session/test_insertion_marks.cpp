@@ -14,7 +14,7 @@
 using namespace chiron;
 using core::ProcedureStage;
 using session::PlaybackMark;
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 using tests::ofKind;
 using tests::trace;
 using tests::track;
@@ -38,20 +38,19 @@ private slots:
 
 void TestInsertionMarks::procedureEventsAreMarks() {
     const auto made = track();
-    QCOMPARE(ofKind(made, PlaybackMarkKind::stageChanged).size(),
+    QCOMPARE(ofKind(made, mark_kinds::kStageChanged).size(),
              std::size_t{3}); // the last one is the completion
-    QCOMPARE(ofKind(made, PlaybackMarkKind::landmarkSeen).size(), std::size_t{2});
-    QCOMPARE(ofKind(made, PlaybackMarkKind::completed).size(), std::size_t{1});
-    QCOMPARE(ofKind(made, PlaybackMarkKind::completed)[0].t_s, 2.0);
-    QVERIFY(ofKind(made, PlaybackMarkKind::marked).empty() &&
-            ofKind(made, PlaybackMarkKind::timedOut).empty());
+    QCOMPARE(ofKind(made, mark_kinds::kLandmarkSeen).size(), std::size_t{2});
+    QCOMPARE(ofKind(made, mark_kinds::kCompleted).size(), std::size_t{1});
+    QCOMPARE(ofKind(made, mark_kinds::kCompleted)[0].t_s, 2.0);
+    QVERIFY(ofKind(made, mark_kinds::kMarked).empty() && ofKind(made, mark_kinds::kTimedOut).empty());
 }
 
 void TestInsertionMarks::penaltiesAreWhatIsCounted() {
     auto made = track();
     QVERIFY(session::addInsertionMarks(made, trace(), {}));
-    const auto trauma = ofKind(made, PlaybackMarkKind::trauma);
-    const auto reversals = ofKind(made, PlaybackMarkKind::reversal);
+    const auto trauma = ofKind(made, mark_kinds::kTrauma);
+    const auto reversals = ofKind(made, mark_kinds::kReversal);
     const std::vector<scoring::MetricRequest> wanted{{"trauma_events", 1}, {"reversals", 1}};
     const auto card = scoring::calculateScore(trace(), wanted, {}, true);
     QVERIFY(card);
@@ -73,11 +72,11 @@ void TestInsertionMarks::penaltiesAreWhatIsCounted() {
 void TestInsertionMarks::stagesAndLandmarksAreTold() {
     auto made = track();
     QVERIFY(session::addInsertionMarks(made, trace(), {}));
-    const auto stages = ofKind(made, PlaybackMarkKind::stageChanged);
+    const auto stages = ofKind(made, mark_kinds::kStageChanged);
     QCOMPARE(stages[0].detail, std::string("insertion"));
     QCOMPARE(stages[1].detail, std::string("inspection"));
     QCOMPARE(stages[2].detail, std::string("withdrawal"));
-    const auto seen = ofKind(made, PlaybackMarkKind::landmarkSeen);
+    const auto seen = ofKind(made, mark_kinds::kLandmarkSeen);
     QCOMPARE(*seen[0].value, 1.0);
     QCOMPARE(*seen[1].value, 3.0); // two at once
 }
@@ -90,11 +89,11 @@ void TestInsertionMarks::trialThatBeginsInsideTellsItsStages() {
     std::replace(stage.begin(), stage.end(), static_cast<std::uint8_t>(ProcedureStage::outside),
                  static_cast<std::uint8_t>(ProcedureStage::insertion));
     PlaybackMark& first = *std::find_if(made.marks.begin(), made.marks.end(), [](const PlaybackMark& mark) {
-        return mark.kind == PlaybackMarkKind::stageChanged;
+        return mark.kind == mark_kinds::kStageChanged;
     });
     first.t_s = first.end_s = 0.0;
     QVERIFY(session::addInsertionMarks(made, begun, {}));
-    const auto stages = ofKind(made, PlaybackMarkKind::stageChanged);
+    const auto stages = ofKind(made, mark_kinds::kStageChanged);
     QCOMPARE(stages.size(), std::size_t{3});
     QCOMPARE(stages[0].t_s, 0.0);
     QCOMPARE(stages[0].detail, std::string("insertion"));
@@ -108,7 +107,7 @@ void TestInsertionMarks::stagesThatDoNotFitStayUntold() {
     std::fill(cut.trials[0].insertion->stage.begin(), cut.trials[0].insertion->stage.end(),
               static_cast<std::uint8_t>(ProcedureStage::insertion));
     QVERIFY(session::addInsertionMarks(made, cut, {}));
-    for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::stageChanged))
+    for (const PlaybackMark& mark : ofKind(made, mark_kinds::kStageChanged))
         QVERIFY(mark.detail.empty());
 }
 
@@ -119,8 +118,8 @@ void TestInsertionMarks::trialsKeepTheirMarks() {
     auto made = track();
     const std::vector<PlaybackMark> first = made.marks;
     for (PlaybackMark mark : first) {
-        const bool withdrawn = mark.kind == PlaybackMarkKind::stageChanged && mark.t_s > 1.5;
-        if (withdrawn || mark.kind == PlaybackMarkKind::completed)
+        const bool withdrawn = mark.kind == mark_kinds::kStageChanged && mark.t_s > 1.5;
+        if (withdrawn || mark.kind == mark_kinds::kCompleted)
             continue;
         mark.t_s += kLater_s;
         mark.trial = 1;
@@ -129,7 +128,7 @@ void TestInsertionMarks::trialsKeepTheirMarks() {
     PlaybackMark end;
     end.t_s = kLater_s + 2.0;
     end.trial = 1;
-    end.kind = PlaybackMarkKind::timedOut;
+    end.kind = mark_kinds::kTimedOut;
     made.marks.push_back(end);
     scoring::SessionTrace both = trace();
     scoring::TrialTrace second = both.trials.front();
@@ -143,23 +142,23 @@ void TestInsertionMarks::trialsKeepTheirMarks() {
     both.trials.push_back(second);
     QVERIFY(session::addInsertionMarks(made, both, {}));
     std::array<std::vector<std::string>, 2> stages;
-    for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::stageChanged))
+    for (const PlaybackMark& mark : ofKind(made, mark_kinds::kStageChanged))
         stages[static_cast<std::size_t>(mark.trial)].push_back(mark.detail);
     QVERIFY((stages[0] == std::vector<std::string>{"insertion", "inspection", "withdrawal"}));
     QVERIFY((stages[1] == std::vector<std::string>{"insertion", "inspection"}));
     std::array<std::vector<double>, 2> seen;
-    for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::landmarkSeen))
+    for (const PlaybackMark& mark : ofKind(made, mark_kinds::kLandmarkSeen))
         seen[static_cast<std::size_t>(mark.trial)].push_back(mark.value.value_or(-1.0));
     QVERIFY((seen[0] == std::vector<double>{1.0, 3.0}));
     QVERIFY((seen[1] == std::vector<double>{1.0, 2.0}));
-    QCOMPARE(ofKind(made, PlaybackMarkKind::timedOut).front().detail, std::string(session::kProcedure));
+    QCOMPARE(ofKind(made, mark_kinds::kTimedOut).front().detail, std::string(session::kProcedure));
 }
 
 void TestInsertionMarks::timeUpOfAProcedure() {
     auto made = track(bits::kTimedOut);
-    QVERIFY(ofKind(made, PlaybackMarkKind::timedOut).at(0).detail.empty());
+    QVERIFY(ofKind(made, mark_kinds::kTimedOut).at(0).detail.empty());
     QVERIFY(session::addInsertionMarks(made, trace(), {}));
-    QCOMPARE(ofKind(made, PlaybackMarkKind::timedOut).at(0).detail, std::string(session::kProcedure));
+    QCOMPARE(ofKind(made, mark_kinds::kTimedOut).at(0).detail, std::string(session::kProcedure));
 }
 
 void TestInsertionMarks::otherTracksStayAsTheyAre() {
@@ -214,11 +213,10 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
 }
 
 void TestInsertionMarks::penaltiesArePenalties() {
-    QVERIFY(session::isPenalty(PlaybackMarkKind::trauma));
-    QVERIFY(session::isPenalty(PlaybackMarkKind::reversal));
-    for (const auto kind :
-         {PlaybackMarkKind::completed, PlaybackMarkKind::stageChanged, PlaybackMarkKind::landmarkSeen,
-          PlaybackMarkKind::contact, PlaybackMarkKind::marked})
+    QVERIFY(session::isPenalty(mark_kinds::kTrauma));
+    QVERIFY(session::isPenalty(mark_kinds::kReversal));
+    for (const auto kind : {mark_kinds::kCompleted, mark_kinds::kStageChanged, mark_kinds::kLandmarkSeen,
+                            mark_kinds::kContact, mark_kinds::kMarked})
         QVERIFY(!session::isPenalty(kind));
 }
 

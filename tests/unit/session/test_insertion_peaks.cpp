@@ -9,7 +9,7 @@
 #include <QtTest>
 
 using namespace chiron;
-using session::PlaybackMarkKind;
+namespace mark_kinds = session::mark_kinds;
 using tests::ofKind;
 using tests::trace;
 using tests::track;
@@ -56,7 +56,7 @@ void TestInsertionPeaks::gatesOnPeaksAreMarks() {
                                            {"torque_max", std::nullopt, 90.0}};
     auto made = track();
     QVERIFY(session::addInsertionMarks(made, unsteady(), gates));
-    const auto off = ofKind(made, PlaybackMarkKind::offCentre);
+    const auto off = ofKind(made, mark_kinds::kOffCentre);
     QCOMPARE(off.size(), std::size_t{2});
     QCOMPARE(off[0].t_s, 0.3);
     QCOMPARE(off[0].end_s, 0.34);
@@ -64,20 +64,19 @@ void TestInsertionPeaks::gatesOnPeaksAreMarks() {
     QCOMPARE(off[0].tick, std::uint64_t{300});
     QCOMPARE(off[1].t_s, 0.7);
     QCOMPARE(off[1].end_s, 0.701);
-    const auto torque = ofKind(made, PlaybackMarkKind::overTorque);
+    const auto torque = ofKind(made, mark_kinds::kOverTorque);
     QCOMPARE(torque.size(), std::size_t{1});
     QCOMPARE(torque[0].t_s, 1.4);
     QCOMPARE(torque[0].end_s, 1.42);
     QVERIFY(std::abs(*torque[0].value - 0.1) < 1e-12);
-    QVERIFY(session::isPenalty(PlaybackMarkKind::offCentre) &&
-            session::isPenalty(PlaybackMarkKind::overTorque));
+    QVERIFY(session::isPenalty(mark_kinds::kOffCentre) && session::isPenalty(mark_kinds::kOverTorque));
 
     auto ungated = track();
     const std::vector<scoring::Gate> others{{"offset_rms", std::nullopt, 3.0},
                                             {"torque_max", 1.0, std::nullopt}};
     QVERIFY(session::addInsertionMarks(ungated, unsteady(), others));
-    QVERIFY(ofKind(ungated, PlaybackMarkKind::offCentre).empty() &&
-            ofKind(ungated, PlaybackMarkKind::overTorque).empty());
+    QVERIFY(ofKind(ungated, mark_kinds::kOffCentre).empty() &&
+            ofKind(ungated, mark_kinds::kOverTorque).empty());
 }
 
 void TestInsertionPeaks::worstMomentOfAPeak() {

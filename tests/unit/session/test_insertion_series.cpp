@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "support/urethra_bench.h"
 
 #include <QtTest>
@@ -162,7 +163,7 @@ void TestInsertionSeries::ticksCountNotTheDevicesClock() {
             scene.respond(source.next(0), in, out);
             samples += out.phase == core::TrialPhase::running;
         }
-        QVERIFY((out.events & core::procedure_bits::kLandmarkSeen) != 0);
+        QVERIFY((out.events & simulation::procedure_bits::kLandmarkSeen) != 0);
         scoring::TrialTrace trial = along(p, held(0.155, samples));
         for (double& t_s : trial.tools[0].t_s)
             t_s *= clock;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a recording is said to tell: stops, limits, misses, the worst moment, what was felt.
 #include "app/exercises/palpation/session/palpation_marks.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "core/contact_bits.h"
 #include "core/random.h"
 #include "cues/laparoscopy_cues.h"
@@ -26,7 +27,7 @@ std::vector<PlaybackMark> marksOf(const std::vector<core::HapticFrame>& frames, 
     return extractor.take(1e-3 * static_cast<double>(frames.size() - 1));
 }
 
-std::vector<PlaybackMark> ofKind(const std::vector<PlaybackMark>& marks, PlaybackMarkKind kind) {
+std::vector<PlaybackMark> ofKind(const std::vector<PlaybackMark>& marks, const PlaybackMarkKind& kind) {
     std::vector<PlaybackMark> found;
     for (const PlaybackMark& mark : marks)
         if (mark.kind == kind)
@@ -34,7 +35,7 @@ std::vector<PlaybackMark> ofKind(const std::vector<PlaybackMark>& marks, Playbac
     return found;
 }
 
-PlaybackMark markAt(double t_s, PlaybackMarkKind kind, std::optional<double> value = {}) {
+PlaybackMark markAt(double t_s, const PlaybackMarkKind& kind, std::optional<double> value = {}) {
     PlaybackMark mark;
     mark.t_s = mark.end_s = t_s;
     mark.kind = kind;
@@ -87,11 +88,11 @@ private slots:
             frames[i].header.force = core::ForceState::paused;
         }
         const auto marks = marksOf(frames);
-        const auto stops = ofKind(marks, PlaybackMarkKind::forceStopped);
+        const auto stops = ofKind(marks, mark_kinds::kForceStopped);
         QCOMPARE(stops.size(), std::size_t(1));
         QCOMPARE(stops[0].t_s, 0.3);
         QCOMPARE(stops[0].end_s, 0.499);
-        const auto pauses = ofKind(marks, PlaybackMarkKind::paused);
+        const auto pauses = ofKind(marks, mark_kinds::kPaused);
         QCOMPARE(pauses.size(), std::size_t(1));
         QCOMPARE(pauses[0].t_s, 0.7);
     }
@@ -101,7 +102,7 @@ private slots:
         auto frames = tests::someFrames(600);
         for (std::size_t i = 0; i < frames.size(); ++i)
             frames[i].header.guards = (i >= 100 && i < 200) || i >= 400 ? core::guard_bits::kOverVelocity : 0;
-        const auto guards = ofKind(marksOf(frames), PlaybackMarkKind::guard);
+        const auto guards = ofKind(marksOf(frames), mark_kinds::kGuard);
         QCOMPARE(guards.size(), std::size_t(2));
         QCOMPARE(guards[0].t_s, 0.1);
         QCOMPARE(guards[1].t_s, 0.4);
@@ -115,10 +116,10 @@ private slots:
             frames[i].header.force = i < 300 ? core::ForceState::paused : core::ForceState::stopped;
         }
         const auto marks = marksOf(frames);
-        const auto pauses = ofKind(marks, PlaybackMarkKind::paused);
+        const auto pauses = ofKind(marks, mark_kinds::kPaused);
         QCOMPARE(pauses.size(), std::size_t(1));
         QVERIFY(pauses[0].end_s <= 0.3);
-        QCOMPARE(ofKind(marks, PlaybackMarkKind::forceStopped).front().end_s, 0.499);
+        QCOMPARE(ofKind(marks, mark_kinds::kForceStopped).front().end_s, 0.499);
     }
 
     void whatWasFeltIsToldWhereItWasLess() {
@@ -133,12 +134,12 @@ private slots:
             frames[i].tool[0].commanded[2] = 4.0;
         }
         frames[800].tool[0].tissue[2] = 6.0; // one tick of the slew: nobody feels it
-        const auto limited = ofKind(marksOf(frames, true), PlaybackMarkKind::limited);
+        const auto limited = ofKind(marksOf(frames, true), mark_kinds::kLimited);
         QCOMPARE(limited.size(), std::size_t(1));
         QCOMPARE(limited[0].t_s, 0.2);
         QCOMPARE(limited[0].value, std::optional(6.0));
-        QVERIFY(!isPenalty(PlaybackMarkKind::limited)); // the safety did that, not the person
-        QVERIFY(ofKind(marksOf(frames, false), PlaybackMarkKind::limited).empty());
+        QVERIFY(!isPenalty(mark_kinds::kLimited)); // the safety did that, not the person
+        QVERIFY(ofKind(marksOf(frames, false), mark_kinds::kLimited).empty());
     }
 
     void forceFactsLeaveOutPausesAndCountSharedTimeOnce() {
@@ -169,8 +170,8 @@ private slots:
     void theWorstMomentIsWhereItHappenedNotWhereTheTrialEnded() {
         PlaybackTrack track = quietEnd();
         track.exercise = "elastic_tube";
-        track.marks = {markAt(4.0, PlaybackMarkKind::slipped), markAt(6.0, PlaybackMarkKind::yielded, 9.0),
-                       markAt(5.0, PlaybackMarkKind::yielded, 8.0)};
+        track.marks = {markAt(4.0, mark_kinds::kSlipped), markAt(6.0, mark_kinds::kYielded, 9.0),
+                       markAt(5.0, mark_kinds::kYielded, 8.0)};
         const std::vector<scoring::Gate> gates{
             {"procedure_completed", 100.0, {}}, {"drops", {}, 0.0}, {"critical_errors", {}, 0.0}};
         const auto broken = worstMoment(
@@ -185,7 +186,7 @@ private slots:
         // there.
         PlaybackTrack torn = quietEnd();
         torn.exercise = "elastic_tube";
-        torn.marks = {markAt(3.0, PlaybackMarkKind::failed), markAt(4.0, PlaybackMarkKind::slipped)};
+        torn.marks = {markAt(3.0, mark_kinds::kFailed), markAt(4.0, mark_kinds::kSlipped)};
         QCOMPARE(worstMoment(torn, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates)->t_s, 4.0);
         QCOMPARE(worstMoment(torn, failed({{"procedure_completed", 0.0}}), gates)->t_s, 3.0);
         const auto none = worstMoment(track, {}, gates);
@@ -236,7 +237,7 @@ private slots:
             MarkExtractor extractor(4.0, 1, false, law);
             for (const core::HapticFrame& frame : frames)
                 extractor.add(frame, 1e-3 * static_cast<double>(frame.header.index));
-            return ofKind(extractor.take(0.011), PlaybackMarkKind::yielded).at(0);
+            return ofKind(extractor.take(0.011), mark_kinds::kYielded).at(0);
         };
         simulation::YieldLaw law;
         law.force_N = 8.0;
@@ -254,7 +255,7 @@ private slots:
         MarkExtractor placed(4.0, 1, false, law, &positions);
         for (const core::HapticFrame& frame : frames)
             placed.add(frame, 1e-3 * static_cast<double>(frame.header.index));
-        const PlaybackMark there = ofKind(placed.take(0.011), PlaybackMarkKind::yielded).at(0);
+        const PlaybackMark there = ofKind(placed.take(0.011), mark_kinds::kYielded).at(0);
         QVERIFY(there.p_W && (*there.p_W - core::Vec3(0.005, 0.0, 0.0)).norm() < 1e-12);
         track.marks = {byTorque};
         const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
@@ -266,26 +267,25 @@ private slots:
     void eachCountedEventOfATaskHasItsMoment_data() {
         QTest::addColumn<QString>("exercise");
         QTest::addColumn<QString>("metric");
-        QTest::addColumn<int>("kind");
+        QTest::addColumn<PlaybackMarkKind>("kind");
         QTest::newRow("over-stretches") << "elastic_tube"
-                                        << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
+                                        << "over_stretches" << mark_kinds::kDamaged;
         QTest::newRow("drops") << "elastic_tube"
-                               << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
+                               << "drops" << mark_kinds::kSlipped;
         QTest::newRow("lumps missed") << "palpation"
-                                      << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
-        QTest::newRow("false alarms")
-            << "palpation"
-            << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
+                                      << "palpation_misses" << mark_kinds::kLumpMissed;
+        QTest::newRow("false alarms") << "palpation"
+                                      << "palpation_false_alarms" << mark_kinds::kFalseAlarm;
         QTest::newRow("torn") << "elastic_tube"
-                              << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
+                              << "procedure_completed" << mark_kinds::kFailed;
     }
     void eachCountedEventOfATaskHasItsMoment() {
         QFETCH(QString, exercise);
         QFETCH(QString, metric);
-        QFETCH(int, kind);
+        QFETCH(chiron::session::PlaybackMarkKind, kind);
         PlaybackTrack track = quietEnd();
         track.exercise = exercise.toStdString();
-        track.marks = {markAt(3.5, static_cast<PlaybackMarkKind>(kind))};
+        track.marks = {markAt(3.5, kind)};
         const std::string id = metric.toStdString();
         const scoring::Gate gate{id, {}, 0.0};
         const auto worst = worstMoment(track, failed({{id.c_str(), 1.0}}), {&gate, 1});
@@ -327,8 +327,7 @@ private slots:
                 step.values.push_back(static_cast<double>(i < 500 ? core::LaparoscopyStep::grasp
                                                                   : core::LaparoscopyStep::hold));
             }
-            track.marks = {markAt(4.995, PlaybackMarkKind::stageChanged),
-                           markAt(6.0, PlaybackMarkKind::grasped)};
+            track.marks = {markAt(4.995, mark_kinds::kStageChanged), markAt(6.0, mark_kinds::kGrasped)};
             track.marks[0].tick = 4995; // between two samples: the next one has the new step
             track.marks[1].tick = 6000;
             PlaybackTrack unrecorded = track;
@@ -343,8 +342,7 @@ private slots:
     /// Only of the exercise whose metric counts it, and only where no tissue gave way.
     void aCriticalTraumaIsTheMomentOfAnInsertion() {
         PlaybackTrack track = quietEnd();
-        track.marks = {markAt(2.5, PlaybackMarkKind::trauma, 9.0),
-                       markAt(3.5, PlaybackMarkKind::trauma, 5.0)};
+        track.marks = {markAt(2.5, mark_kinds::kTrauma, 9.0), markAt(3.5, mark_kinds::kTrauma, 5.0)};
         track.marks[1].critical = true; // the other one was harder, but slipped off at once
         const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
         const scoring::ScoreCard card = failed({{"critical_errors", 1.0}});
@@ -357,7 +355,7 @@ private slots:
         const auto other = worstMoment(track, card, gates);
         QVERIFY(!other || other->t_s != 3.5);
         track.exercise = "urethra_insertion";
-        track.marks.push_back(markAt(3.8, PlaybackMarkKind::yielded, 8.0));
+        track.marks.push_back(markAt(3.8, mark_kinds::kYielded, 8.0));
         QCOMPARE(worstMoment(track, card, gates)->t_s, 3.8);
     }
 
@@ -399,19 +397,19 @@ private slots:
         addPalpationMarks(track, {&record, 1});
         QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(),
                                [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
-        QCOMPARE(ofKind(track.marks, PlaybackMarkKind::found).size(),
+        QCOMPARE(ofKind(track.marks, mark_kinds::kFound).size(),
                  std::size_t(2)); // the first, and the one that was taken back
-        const auto alarms = ofKind(track.marks, PlaybackMarkKind::falseAlarm);
+        const auto alarms = ofKind(track.marks, mark_kinds::kFalseAlarm);
         QCOMPARE(alarms.size(), std::size_t(1));
         QCOMPARE(alarms[0].t_s, 4.0);
-        const auto missed = ofKind(track.marks, PlaybackMarkKind::lumpMissed);
+        const auto missed = ofKind(track.marks, mark_kinds::kLumpMissed);
         QCOMPARE(missed.size(), std::size_t(1));
         QCOMPARE(missed[0].t_s, 10.0);
         // A search that was broken off missed nothing yet.
         record.completed = false;
         PlaybackTrack stopped = quietEnd();
         addPalpationMarks(stopped, {&record, 1});
-        QVERIFY(ofKind(stopped.marks, PlaybackMarkKind::lumpMissed).empty());
+        QVERIFY(ofKind(stopped.marks, mark_kinds::kLumpMissed).empty());
     }
 };
 

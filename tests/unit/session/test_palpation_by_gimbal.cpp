@@ -31,8 +31,7 @@ void TestPalpationByGimbal::findsWhatThePlatformFinds() {
         const std::uint64_t drawn = seed + static_cast<std::uint64_t>(i);
         tests::SessionFixture site;
         session::TrainingRequest request = site.request(level, "expert", drawn);
-        auto station = session::scriptedStation(**kind, level, "expert", drawn, mechanisms::PolarMap::exact,
-                                                "gimbal_hprd");
+        auto station = session::scriptedStation(**kind, level, "expert", drawn, {.mechanism = "gimbal_hprd"});
         QVERIFY(station.has_value());
         request.station = std::move(*station);
         const auto result = site.run(std::move(request));

@@ -148,8 +148,8 @@ private slots:
         QVERIFY(far.error().message.find("45 degrees") != std::string::npos);
         QVERIFY(!session::mappingOf({.turn_rad = {std::nan(""), 0.0, 0.0}}));
         const session::WorkspaceChoice turned{.turn_rad = {0.3, 0.0, 0.0}};
-        const auto refused = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5,
-                                                      mechanisms::PolarMap::exact, {}, turned);
+        const auto refused =
+            session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5, {.mounting = turned});
         QVERIFY(!refused); // a hand that takes D for W would grope beside its work
         QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
         const auto pointer = session::keyboardMouseStation(turned);
@@ -191,8 +191,7 @@ private slots:
         const auto kind = session::exerciseKind("elastic_tube");
         level.mounting.clear();
         const auto station = [&](const session::WorkspaceChoice& chosen) {
-            auto made =
-                session::scriptedStation(**kind, level, "expert", 5, mechanisms::PolarMap::exact, {}, chosen);
+            auto made = session::scriptedStation(**kind, level, "expert", 5, {.mounting = chosen});
             return made ? made->mappings() : std::vector<devices::WorkspaceMapping>{};
         };
         const auto usual = station({});
@@ -248,8 +247,7 @@ private slots:
     /// The same operator on another arm: a light hand gives way further than a firm one.
     void anotherHandMayHoldTheMechanism() {
         const auto pushed_m = [](const mechanisms::HandParameters* hand) {
-            auto station = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5,
-                                                    mechanisms::PolarMap::exact, {}, {}, hand);
+            auto station = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5, {.hand = hand});
             devices::IDevice& device = *station->tools.at(0).device;
             if (!device.open())
                 return 0.0;
@@ -374,8 +372,7 @@ private slots:
 
     /// Each hand at its own gimbal, at its own place, with a tremor of its own; all with jaws.
     void everyInstrumentHasItsGimbal() {
-        auto station =
-            session::scriptedStation(Graspers(4), {}, "stayer", 5, mechanisms::PolarMap::asPublished);
+        auto station = session::scriptedStation(Graspers(4), {}, "stayer", 5, {.forceMap = "as-published"});
         QVERIFY(station && station->tools.size() == 4);
         for (auto& tool : station->tools) {
             QVERIFY(tool.device->open().has_value());
@@ -387,6 +384,9 @@ private slots:
                 (poseOf(*station, 1, tool).p_WT - Vec3(tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.050)).norm() <
                 60e-6);
         QVERIFY((poseOf(*station, 500, 0).p_WT - poseOf(*station, 500, 2).p_WT).norm() > 1e-5);
+        const auto unknown = session::scriptedStation(Graspers(4), {}, "stayer", 5, {.forceMap = "by-feel"});
+        QVERIFY(!unknown && unknown.error().code == core::ErrorCode::wrongUse);
+        QVERIFY(unknown.error().message.find("by-feel") != std::string::npos);
         const auto one = session::scriptedStation(Graspers(1, 2), {}, "stayer", 5);
         QVERIFY(!one && one.error().code == core::ErrorCode::wrongUse);
         QCOMPARE(one.error().message, std::string("exercise any: 2 hands for 1 instruments"));

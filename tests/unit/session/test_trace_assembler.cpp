@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cues/procedure_stage.h"
 #include "frames.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "session/trace_assembler.h"
 #include "session/trace_mark.h"
 
@@ -244,7 +244,8 @@ void TestTraceAssembler::completedTrial() {
     QVERIFY(trials[0].completed && !trials[0].marked && !trials[0].timedOut);
     QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{7}); // both ends included, nothing after
     QCOMPARE(trials[0].p_WMark_m.x(), 0.009);
-    frames[9].header.events = bits::kStageChanged | core::procedure_bits::kLandmarkSeen; // these end nothing
+    frames[9].header.events =
+        bits::kStageChanged | simulation::procedure_bits::kLandmarkSeen; // these end nothing
     QVERIFY(!assemble(frames)[0].completed);
     QCOMPARE(assemble(frames)[0].tools[0].t_s.size(), std::size_t{17});
 }

@@ -5,7 +5,7 @@
 // is kept anew, and its difference is read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release
 // -R "^test_kept_laws$"
 #include "core/fp_environment.h"
-#include "mechanisms/evaluate_laws.h"
+#include "mechanisms/mechanism_laws.h"
 #include "simulation/evaluate_laws.h"
 #include "support/kept_numbers.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 #include "simulation/trial_course.h"
 
 #include <QtTest>

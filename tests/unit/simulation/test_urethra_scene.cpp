@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fp_environment.h"
 #include "core/units.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "urethra_driver.h"
 
 #include <QtTest>
@@ -83,7 +84,7 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
             ++changed;
             stages.push_back(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage);
         }
-        seen += (d.out.events & core::procedure_bits::kLandmarkSeen) != 0;
+        seen += (d.out.events & simulation::procedure_bits::kLandmarkSeen) != 0;
         deepest_m = std::max(deepest_m, d.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m);
         QCOMPARE(d.out.phase, TrialPhase::running);
     }

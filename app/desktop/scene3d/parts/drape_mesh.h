@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 
 namespace chiron::scene3d {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 
 #include <cstdint>
 #include <vector>

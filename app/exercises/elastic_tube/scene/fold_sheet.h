@@ -3,7 +3,7 @@
 
 #include "core/geometry.h"
 #include "cues/laparoscopy_cues.h"
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exercises/elastic_tube/scene/tube_curve.h"
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 
 namespace chiron::scene3d {
 

@@ -169,14 +169,14 @@ core::Result<void> ElasticTubeKind::addMarks(const SessionSetup&, const scoring:
 }
 
 std::vector<MomentRule> ElasticTubeKind::momentRules() const {
-    using enum PlaybackMarkKind;
-    return {{.metric = "over_stretches", .marks = {damaged, failed}},
-            {.metric = "drops", .marks = {slipped}},
+    using namespace mark_kinds;
+    return {{.metric = "over_stretches", .marks = {kDamaged, kFailed}},
+            {.metric = "drops", .marks = {kSlipped}},
             {.metric = "retraction_max",
              .by = MomentRule::By::largestQuantity,
              .quantity = "retraction_N",
              .unit = "N"},
-            {.metric = "procedure_completed", .marks = {failed}, .spread = true}}; // where it tore
+            {.metric = "procedure_completed", .marks = {kFailed}, .spread = true}}; // where it tore
 }
 
 } // namespace chiron::session

@@ -108,16 +108,4 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
     return tube;
 }
 
-std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace,
-                                                           const catalogue::ExerciseLevel& level) {
-    return std::make_shared<report::TubeSection>(tubeReportOf(trace, level));
-}
-
-EndWords tubeEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The tube was held as asked"),
-            MarkTexts::tr("Time was up before the tube was held as asked"),
-            MarkTexts::tr("The tube tore: the trial could no longer be completed"),
-            MarkTexts::tr("The tube was stretched too far")};
-}
-
 } // namespace chiron::session_report

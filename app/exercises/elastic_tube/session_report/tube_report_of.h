@@ -3,23 +3,12 @@
 
 #include "app/exercises/elastic_tube/report/tube_report.h"
 #include "catalogue/exercise.h"
-#include "report/report_section.h"
 #include "scoring/trace.h"
-#include "session_report/exercise_words.h"
-
-#include <memory>
 
 namespace chiron::session_report {
 
 /// The results of a session on an elastic tube: tension and stretch with their targets, and each trial's own
 /// metrics, as the scores compute them. A trial that was stopped is included as not finished. Pure function.
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
-
-/// The section of a report. Pure function.
-std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace,
-                                                           const catalogue::ExerciseLevel& level);
-
-/// The words for the end of a trial and for damage.
-EndWords tubeEnds();
 
 } // namespace chiron::session_report

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/scene3d/drawn_mesh.h"
 #include "desktop/scene3d/parts/dent.h"
 #include "desktop/scene3d/scene_state.h"
-#include "desktop/scene3d/triangle_mesh.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <vector>

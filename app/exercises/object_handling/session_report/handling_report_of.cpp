@@ -57,16 +57,4 @@ report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace,
     return handling;
 }
 
-std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace,
-                                                               const catalogue::ExerciseLevel& level) {
-    return std::make_shared<report::HandlingSection>(handlingReportOf(trace, level));
-}
-
-EndWords handlingEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("An object was set down in the target"),
-            MarkTexts::tr("Time was up before an object was set down in the target"),
-            MarkTexts::tr("The trial could no longer be completed"),
-            MarkTexts::tr("The object was squeezed too hard")};
-}
-
 } // namespace chiron::session_report

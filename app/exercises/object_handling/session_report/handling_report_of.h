@@ -3,11 +3,7 @@
 
 #include "app/exercises/object_handling/report/handling_report.h"
 #include "catalogue/exercise.h"
-#include "report/report_section.h"
 #include "scoring/trace.h"
-#include "session_report/exercise_words.h"
-
-#include <memory>
 
 namespace chiron::session_report {
 
@@ -15,12 +11,5 @@ namespace chiron::session_report {
 /// metrics, as the scores compute them. A trial that was stopped is included as not finished. Pure function.
 report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace,
                                         const catalogue::ExerciseLevel& level);
-
-/// The section of a report. Pure function.
-std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace,
-                                                               const catalogue::ExerciseLevel& level);
-
-/// The words for the end of a trial and for damage.
-EndWords handlingEnds();
 
 } // namespace chiron::session_report

@@ -274,9 +274,9 @@ Demonstration PalpationKind::demonstration() const {
 }
 
 std::vector<MomentRule> PalpationKind::momentRules() const {
-    using enum PlaybackMarkKind;
-    return {{.metric = "palpation_misses", .marks = {lumpMissed}, .ofWholeTrial = true},
-            {.metric = "palpation_false_alarms", .marks = {falseAlarm}}};
+    using namespace mark_kinds;
+    return {{.metric = "palpation_misses", .marks = {kLumpMissed}, .ofWholeTrial = true},
+            {.metric = "palpation_false_alarms", .marks = {kFalseAlarm}}};
 }
 
 } // namespace chiron::session

@@ -10,7 +10,7 @@ namespace chiron::session {
 
 namespace {
 
-PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, PlaybackMarkKind kind) {
+PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, const PlaybackMarkKind& kind) {
     PlaybackMark mark;
     mark.t_s = mark.end_s = t_s;
     mark.tick = track.tickAt(t_s);
@@ -38,10 +38,10 @@ void addReports(PlaybackTrack& track, const PalpationOutcome& record) {
         const scoring::TimedReport& report = record.answer.reports[i];
         if (report.field != simulation::ReportField::found && report.field != simulation::ReportField::remove)
             continue;
-        const PlaybackMarkKind kind = report.field == simulation::ReportField::remove
-                                          ? PlaybackMarkKind::takenBack
-                                      : isFalseAlarm(record.answer, i) ? PlaybackMarkKind::falseAlarm
-                                                                       : PlaybackMarkKind::found;
+        const PlaybackMarkKind& kind = report.field == simulation::ReportField::remove
+                                           ? mark_kinds::kTakenBack
+                                       : isFalseAlarm(record.answer, i) ? mark_kinds::kFalseAlarm
+                                                                        : mark_kinds::kFound;
         track.marks.push_back(markAt(track, record.trial, report.t_s, kind));
         track.marks.back().value = report.finding + 1;
     }
@@ -65,8 +65,7 @@ void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> o
             continue; // for an aborted search, it is unknown what it would have found
         for (std::size_t lump = 0; lump < record.answer.truth.lumps.size(); ++lump)
             if (scoring::foundBy(record.answer.matches, static_cast<int>(lump)) == nullptr)
-                track.marks.push_back(
-                    markAt(track, record.trial, trial->end_s, PlaybackMarkKind::lumpMissed));
+                track.marks.push_back(markAt(track, record.trial, trial->end_s, mark_kinds::kLumpMissed));
     }
     std::stable_sort(track.marks.begin(), track.marks.end(),
                      [](const auto& a, const auto& b) { return a.t_s < b.t_s; });

@@ -10,6 +10,17 @@
 
 namespace chiron::session {
 
+namespace mark_kinds {
+/// A finding was reported; value: its number, from 1.
+inline constexpr PlaybackMarkKind kFound{"found", "flag", MarkTone::event, true};
+/// A finding was taken back; value: its number, from 1.
+inline constexpr PlaybackMarkKind kTakenBack{"taken_back", "edit-undo"};
+/// A finding without a lump; value: its number, from 1.
+inline constexpr PlaybackMarkKind kFalseAlarm{"false_alarm", "dialog-close", MarkTone::penalty};
+/// At the trial's end, a lump that no finding was close enough to.
+inline constexpr PlaybackMarkKind kLumpMissed{"lump_missed", "dialog-close", MarkTone::penalty};
+} // namespace mark_kinds
+
 /// Indices of the trial's reports that started a finding which existed at the end and matched no lump.
 std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answer);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/session_report/finger_words.h"
 
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
-
+#include <QCoreApplication>
 #include <algorithm>
 
 namespace chiron::session_report {
@@ -14,13 +13,6 @@ struct PalpationWords {
 };
 
 } // namespace
-
-EndWords palpationEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The search was reported as done"),
-            MarkTexts::tr("Time was up before the search was reported as done"),
-            MarkTexts::tr("The search could no longer be completed"),
-            MarkTexts::tr("The tissue was damaged")};
-}
 
 QString fingerName(int tool, int hands, int fingers) {
     // A hand's second finger is to the right of its first (PalpationKind::toolPlace); on a left hand, palm
@@ -34,11 +26,6 @@ QString fingerName(int tool, int hands, int fingers) {
     if (!left)
         return middle ? PalpationWords::tr("Right middle finger") : PalpationWords::tr("Right index finger");
     return middle ? PalpationWords::tr("Left middle finger") : PalpationWords::tr("Left index finger");
-}
-
-QString fingerNameOf(const catalogue::ExerciseLevel& level, int tool, int) {
-    const auto& p = level.parameters.as<simulation::PalpationParameters>();
-    return fingerName(tool, p.hands, p.fingers);
 }
 
 } // namespace chiron::session_report

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 namespace chiron::scene3d {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 
+#include "app/exercises/sphere_apex/session/apex_marks.h"
 #include "app/exercises/sphere_apex/session/apex_sessions.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "database/repositories/session_types.h"
@@ -15,7 +16,9 @@
 #include "session/session_setup.h"
 
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace chiron::session {
 
@@ -79,17 +82,39 @@ void noteMisses(PlaybackTrack& track) {
     std::vector<PlaybackMark> marks;
     for (const PlaybackMark& mark : track.marks) {
         marks.push_back(mark);
-        const PlaybackTrial* trial =
-            mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
+        const PlaybackTrial* trial = mark.kind == mark_kinds::kMarked ? track.trial(mark.trial) : nullptr;
         if (trial == nullptr || !trial->object)
             continue;
         const core::Vec3 d = trial->p_WEnd - trial->object->p_WObject;
         if (trial->endedInContact && std::hypot(d.x(), d.y()) <= trial->object->radius_m)
             continue;
         marks.push_back(mark);
-        marks.back().kind = PlaybackMarkKind::missed;
+        marks.back().kind = mark_kinds::kMissed;
     }
     track.marks = std::move(marks);
+}
+
+/// Horizontal distance of the answer from the truth, m; 0 where there is no truth.
+double missOf(const PlaybackTrial& trial) {
+    if (!trial.object)
+        return 0.0;
+    const core::Vec3 d = trial.p_WEnd - trial.object->p_WObject;
+    return std::hypot(d.x(), d.y());
+}
+
+/// The answer farthest from the apex, in per cent of the sphere's radius.
+std::optional<WorstMoment> farthestAnswer(const PlaybackTrack& track) {
+    const auto found = std::max_element(
+        track.trials.begin(), track.trials.end(),
+        [](const PlaybackTrial& a, const PlaybackTrial& b) { return missOf(a) < missOf(b); });
+    if (found == track.trials.end() || !found->object || found->object->radius_m <= 0.0)
+        return std::nullopt;
+    WorstMoment worst;
+    worst.t_s = found->end_s;
+    worst.trial = found->index;
+    worst.value = 100.0 * missOf(*found) / found->object->radius_m;
+    worst.unit = "%";
+    return worst;
 }
 
 } // namespace
@@ -217,9 +242,9 @@ const MarkSessions* SphereApexKind::markSessions(const psychophysics::Condition&
 }
 
 std::vector<MomentRule> SphereApexKind::momentRules() const {
-    using enum PlaybackMarkKind;
-    return {{.metric = "apex_misses", .marks = {missed, timedOut}},
-            {.metric = "apex_*", .by = MomentRule::By::farthestAnswer}};
+    using namespace mark_kinds;
+    return {{.metric = "apex_misses", .marks = {kMissed, kTimedOut}},
+            {.metric = "apex_*", .by = MomentRule::By::own, .own = &farthestAnswer}};
 }
 
 } // namespace chiron::session

@@ -27,15 +27,4 @@ std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) 
     return errors;
 }
 
-std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace,
-                                                           const catalogue::ExerciseLevel&) {
-    return std::make_shared<report::ApexSection>(apexErrorsOf(trace));
-}
-
-EndWords apexEnds() {
-    return {MarkTexts::tr("Marked the highest point"), MarkTexts::tr("The trial was completed"),
-            MarkTexts::tr("Time was up without a mark"),
-            MarkTexts::tr("The trial could no longer be completed"), MarkTexts::tr("The tissue was damaged")};
-}
-
 } // namespace chiron::session_report

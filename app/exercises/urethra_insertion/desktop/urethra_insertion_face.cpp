@@ -12,10 +12,10 @@
 #include "desktop/exercise_setup/level_facts.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
+#include "simulation/scene_parameters.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <optional>
 
 namespace chiron::desktop {
@@ -94,13 +94,9 @@ QString wayText(const simulation::UrethraInsertionParameters& p, const QLocale& 
                        : LevelFactTexts::tr("Distance: %1 mm in").arg(goal_mm);
 }
 
-bool has(const std::vector<std::string>& cues, const char* cue) {
-    return std::find(cues.begin(), cues.end(), cue) != cues.end();
-}
-
 QString viewText(const std::vector<std::string>& cues) {
-    const bool overview = has(cues, "overview");
-    if (has(cues, "guidance"))
+    const bool overview = simulation::hasCue(cues, "overview");
+    if (simulation::hasCue(cues, "guidance"))
         return overview ? LevelFactTexts::tr("Help: the path is marked in the picture, and a second picture "
                                              "shows it from outside")
                         : LevelFactTexts::tr("Help: the path is marked in the picture");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
-#include "desktop/scene3d/triangle_mesh.h"
+#include "desktop/scene3d/drawn_mesh.h"
 
 #include <vector>
 

@@ -16,7 +16,7 @@ namespace {
 /// The event of a tick and its sample can differ in time by one packet.
 constexpr double kNear_s = 0.002;
 
-void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
+void addEvents(PlaybackTrack& track, int trial, const PlaybackMarkKind& kind,
                const std::vector<scoring::InsertionEvent>& events, bool mayBeCritical = false) {
     for (const scoring::InsertionEvent& event : events) {
         PlaybackMark mark;
@@ -55,17 +55,17 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
     const std::vector<std::string> stages = stagesOf(series);
     const auto changes = static_cast<std::size_t>(
         std::count_if(track.marks.begin(), track.marks.end(), [trial](const PlaybackMark& mark) {
-            return mark.trial == trial && mark.kind == PlaybackMarkKind::stageChanged;
+            return mark.trial == trial && mark.kind == mark_kinds::kStageChanged;
         }));
     std::size_t change = 0;
     for (PlaybackMark& mark : track.marks) {
         if (mark.trial != trial)
             continue;
-        if (mark.kind == PlaybackMarkKind::stageChanged && changes == stages.size())
+        if (mark.kind == mark_kinds::kStageChanged && changes == stages.size())
             mark.detail = stages[change++];
-        if (mark.kind == PlaybackMarkKind::landmarkSeen)
+        if (mark.kind == mark_kinds::kLandmarkSeen)
             mark.value = seenUntil(series, mark.t_s);
-        if (mark.kind == PlaybackMarkKind::timedOut)
+        if (mark.kind == mark_kinds::kTimedOut)
             mark.detail = kProcedure;
     }
 }
@@ -73,7 +73,7 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
 /// Tissue that gave way during a trauma that is already a critical error does not count as a second error.
 void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::InsertionEvent>& trauma) {
     for (PlaybackMark& mark : track.marks)
-        if (mark.kind == PlaybackMarkKind::yielded && mark.trial == trial)
+        if (mark.kind == mark_kinds::kYielded && mark.trial == trial)
             mark.critical =
                 mark.critical &&
                 std::none_of(trauma.begin(), trauma.end(), [&mark](const scoring::InsertionEvent& event) {
@@ -89,10 +89,10 @@ void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial,
         if (!gate.maximum)
             continue;
         if (gate.metric == "offset_max")
-            addEvents(track, trial.trial, PlaybackMarkKind::offCentre,
+            addEvents(track, trial.trial, mark_kinds::kOffCentre,
                       scoring::stretchesOver(trial, scoring::InsertionQuantity::offset, *gate.maximum));
         if (gate.metric == "torque_max")
-            addEvents(track, trial.trial, PlaybackMarkKind::overTorque,
+            addEvents(track, trial.trial, mark_kinds::kOverTorque,
                       scoring::stretchesOver(trial, scoring::InsertionQuantity::torque, *gate.maximum));
     }
 }
@@ -120,10 +120,10 @@ core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::Sessio
             continue;
         completeMarks(track, trial.trial, *trial.insertion);
         const scoring::InsertionEvents events = scoring::insertionEvents(trial);
-        addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma, traumaIsCritical);
+        addEvents(track, trial.trial, mark_kinds::kTrauma, events.trauma, traumaIsCritical);
         if (traumaIsCritical)
             countOnce(track, trial.trial, events.trauma);
-        addEvents(track, trial.trial, PlaybackMarkKind::reversal, events.reversals);
+        addEvents(track, trial.trial, mark_kinds::kReversal, events.reversals);
         addStretches(track, trial, gates);
         addPeaks(track, trial);
     }

@@ -5,7 +5,9 @@
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
+#include "core/units.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
@@ -46,6 +48,33 @@ public:
 
 private:
     simulation::DrawnTip m_drawn;
+};
+
+std::optional<double> depthIn(const PlaybackTrack& track, double t_s) {
+    const auto moment = insertionAt(track, t_s);
+    return moment && std::isfinite(moment->depth_m) ? std::optional(moment->depth_m) : std::nullopt;
+}
+
+/// The moment of a trial at which the endoscope was deepest in its canal.
+std::optional<WorstMoment> deepest(const PlaybackTrack& track) {
+    std::optional<WorstMoment> worst;
+    for (const PlaybackMoment& moment : track.moments) {
+        if (moment.paused || moment.phase != core::TrialPhase::running)
+            continue;
+        const std::optional<double> depth_m = depthIn(track, moment.t_s);
+        if (!depth_m || (worst && core::mmFromM(*depth_m) <= worst->value))
+            continue;
+        worst.emplace();
+        worst->t_s = moment.t_s;
+        worst->trial = moment.trial;
+        worst->value = core::mmFromM(*depth_m);
+        worst->unit = "mm";
+    }
+    return worst;
+}
+
+constexpr SceneEvent kSceneEvents[]{
+    {simulation::procedure_bits::kLandmarkSeen, "landmark_seen", mark_kinds::kLandmarkSeen},
 };
 
 } // namespace
@@ -183,29 +212,30 @@ Demonstration UrethraInsertionKind::demonstration() const {
             .report = DemoReport{.level = kCystoscopyLevel}};
 }
 
+std::span<const SceneEvent> UrethraInsertionKind::sceneEvents() const noexcept {
+    return kSceneEvents;
+}
+
 std::vector<MomentRule> UrethraInsertionKind::momentRules() const {
-    using enum PlaybackMarkKind;
-    return {{.metric = "trauma_*", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
-            {.metric = "lateral_max", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
+    using namespace mark_kinds;
+    return {{.metric = "trauma_*", .by = MomentRule::By::largestMark, .marks = {kTrauma}, .unit = "N"},
+            {.metric = "lateral_max", .by = MomentRule::By::largestMark, .marks = {kTrauma}, .unit = "N"},
             // A trauma that lasted too long or was too hard, where no tissue gave way.
             {.metric = "critical_errors",
              .by = MomentRule::By::largestMark,
-             .marks = {trauma},
+             .marks = {kTrauma},
              .unit = "N",
              .onlyCritical = true},
             {.metric = "reversals",
              .by = MomentRule::By::largestMark,
-             .marks = {reversal},
+             .marks = {kReversal},
              .factor = 1e3,
              .unit = "mm"},
-            {.metric = "insertion_depth", .by = MomentRule::By::deepest}};
+            {.metric = "insertion_depth", .by = MomentRule::By::own, .own = &deepest}};
 }
 
 std::optional<double> UrethraInsertionKind::depthAt_m(const PlaybackTrack& track, double t_s) const {
-    const auto moment = insertionAt(track, t_s);
-    if (!moment || !std::isfinite(moment->depth_m))
-        return std::nullopt;
-    return moment->depth_m;
+    return depthIn(track, t_s);
 }
 
 } // namespace chiron::session

@@ -33,6 +33,7 @@ public:
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                 std::uint64_t seed) const override;
+    std::span<const SceneEvent> sceneEvents() const noexcept override; ///< a landmark was seen
     bool marksFromTrace() const noexcept override { return true; }
     core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
                                 PlaybackTrack& track) const override;

@@ -98,17 +98,4 @@ std::optional<report::InsertionProfile> insertionProfileOf(const session::Playba
     return std::move(maker.profile());
 }
 
-std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace,
-                                                                const catalogue::ExerciseLevel&) {
-    auto profile = insertionProfileOf(trace);
-    return profile ? std::make_shared<report::InsertionSection>(std::move(*profile)) : nullptr;
-}
-
-EndWords insertionEnds() {
-    return {MarkTexts::tr("Ended"), MarkTexts::tr("The procedure was completed"),
-            MarkTexts::tr("Time was up before the end of the procedure"),
-            MarkTexts::tr("The procedure could no longer be completed"),
-            MarkTexts::tr("The tissue was damaged")};
-}
-
 } // namespace chiron::session_report

@@ -2,13 +2,9 @@
 #pragma once
 
 #include "app/exercises/urethra_insertion/report/insertion_report.h"
-#include "catalogue/exercise.h"
-#include "report/report_section.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
-#include "session_report/exercise_words.h"
 
-#include <memory>
 #include <optional>
 
 namespace chiron::session_report {
@@ -18,12 +14,5 @@ namespace chiron::session_report {
 /// Pauses do not count. Empty for exercises without a canal. Pure function.
 std::optional<report::InsertionProfile> insertionProfileOf(const scoring::SessionTrace& trace);
 std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track);
-
-/// The section of a report; null without a canal. Pure function.
-std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace,
-                                                                const catalogue::ExerciseLevel& level);
-
-/// The words for the end of a trial and for damage.
-EndWords insertionEnds();
 
 } // namespace chiron::session_report

@@ -6,6 +6,7 @@
 #include "mechanisms/five_bar_plant_parameters.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "simulation/geometry/urethra/urethra_validity_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <algorithm>
 #include <utility>
@@ -188,10 +189,7 @@ private:
     }
 
     void cues() {
-        const auto has = [&](const char* cue) {
-            return std::find(m_p.cues.begin(), m_p.cues.end(), cue) != m_p.cues.end();
-        };
-        if (has("guidance") && !has("object"))
+        if (simulation::hasCue(m_p.cues, "guidance") && !simulation::hasCue(m_p.cues, "object"))
             m_problems.push_back({QStringLiteral("$.cues"), QStringLiteral("\"guidance\" without \"object\""),
                                   QStringLiteral("the picture that the way is marked in")});
     }

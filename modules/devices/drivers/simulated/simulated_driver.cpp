@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <any>
+#include <array>
+#include <iterator>
 
 namespace chiron::devices {
 
@@ -36,6 +38,29 @@ template <class Plant> core::Result<void> takePlant(const DriverRequest& request
     return {};
 }
 
+constexpr ForceMap kGimbalMaps[]{
+    {kExactForceMap, QT_TRANSLATE_NOOP("Drivers", "Exactly")},
+    {"as-published", QT_TRANSLATE_NOOP("Drivers", "By the published formulas (error up to 27 %)")},
+};
+constexpr std::array kPolarMaps{mechanisms::PolarMap::exact, mechanisms::PolarMap::asPublished};
+static_assert(kPolarMaps.size() == std::size(kGimbalMaps), "one map for each id, in the same order");
+
+/// The gimbal's map with this id; an empty id gives the usual one.
+/// Errors: wrongUse if there is none.
+core::Result<mechanisms::PolarMap> polarMapOf(const std::string& id) {
+    if (id.empty())
+        return kPolarMaps.front();
+    for (std::size_t i = 0; i < kPolarMaps.size(); ++i)
+        if (kGimbalMaps[i].id == id)
+            return kPolarMaps[i];
+    return core::fail(core::ErrorCode::wrongUse, "simulated gimbal: no force map \"" + id + "\"");
+}
+
+std::string_view gimbalMapOf(const DeviceDescriptor& descriptor) {
+    const auto map = std::find(kPolarMaps.begin(), kPolarMaps.end(), GimbalHprdKinematics::mapOf(descriptor));
+    return kGimbalMaps[map - kPolarMaps.begin()].id;
+}
+
 /// Makes one device for each hand.
 template <class Device>
 Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& request) {
@@ -55,7 +80,9 @@ Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& re
 Tools makeGimbals(DriverRequest& request) {
     SimulatedDevice::Configuration configuration;
     CHIRON_TRY(takePlant(request, configuration.plant));
-    configuration.map = request.map;
+    const auto map = polarMapOf(request.forceMap);
+    CHIRON_TRY(map);
+    configuration.map = *map;
     configuration.frictionCompensation = request.frictionCompensation;
     if (request.shape == ToolShape::grasper)
         configuration.jaw = mechanisms::JawParameters{};
@@ -119,9 +146,12 @@ core::Result<std::unique_ptr<IToolKinematics>> makeArm(const DeviceDescriptor& d
                   : makeKinematicsOf<FingertipArmKinematics>(descriptor);
 }
 
+constexpr ForceMaps kGimbalForceMaps{QT_TRANSLATE_NOOP("Drivers", "How the gimbal renders force"),
+                                     kGimbalMaps, gimbalMapOf};
+
 constexpr KinematicsEntry kMechanismKinematics[]{
     {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>,
-     QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal"), GimbalHprdKinematics::mapOf},
+     QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal"), &kGimbalForceMaps},
     {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>,
      QT_TRANSLATE_NOOP("Drivers", "Simulated five-bar mechanism")},
     {FingertipArmKinematics::kId, makeArm,

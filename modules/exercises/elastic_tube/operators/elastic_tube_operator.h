@@ -4,7 +4,7 @@
 #include "core/result.h"
 #include "devices/api/device_descriptor.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/elastic_tube/operators/operator_settings.h"
+#include "modules/exercises/elastic_tube/operators/elastic_tube_operator_settings.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/elastic_tube/operators/operator_settings.h"
+#include "modules/exercises/elastic_tube/operators/elastic_tube_operator_settings.h"
 
 namespace chiron::operators {
 

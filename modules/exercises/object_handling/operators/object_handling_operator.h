@@ -4,7 +4,7 @@
 #include "core/result.h"
 #include "devices/api/device_descriptor.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/object_handling/operators/operator_settings.h"
+#include "modules/exercises/object_handling/operators/object_handling_operator_settings.h"
 
 #include <cstdint>
 #include <memory>

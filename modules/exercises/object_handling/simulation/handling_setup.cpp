@@ -3,7 +3,7 @@
 // parameters allocates.
 #include "modules/exercises/object_handling/simulation/handling_progress.h"
 #include "modules/exercises/object_handling/simulation/handling_world.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 namespace chiron::simulation {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand_strategy.h"
 #include "modules/exercises/palpation/operators/finger_order.h"
-#include "modules/exercises/palpation/operators/operator_settings.h"
+#include "modules/exercises/palpation/operators/palpation_operator_settings.h"
 #include "modules/exercises/palpation/operators/press.h"
 #include "operators/hand/instrument_feel.h"
 #include "simulation/palpation/tissue_surface.h"

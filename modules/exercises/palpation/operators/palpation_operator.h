@@ -4,7 +4,7 @@
 #include "core/result.h"
 #include "devices/api/device_descriptor.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/palpation/operators/operator_settings.h"
+#include "modules/exercises/palpation/operators/palpation_operator_settings.h"
 #include "simulation/palpation/tissue_parameters.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/random.h"
-#include "modules/exercises/palpation/operators/operator_settings.h"
+#include "modules/exercises/palpation/operators/palpation_operator_settings.h"
 
 #include <array>
 #include <cstddef>

@@ -3,9 +3,9 @@
 
 #include "mechanisms/hand_strategy.h"
 #include "modules/exercises/sphere_apex/operators/apex_technique.h"
-#include "modules/exercises/sphere_apex/operators/operator_settings.h"
 #include "modules/exercises/sphere_apex/operators/reach.h"
 #include "modules/exercises/sphere_apex/operators/scan_path.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator_settings.h"
 #include "operators/hand/senses.h"
 
 #include <cstdint>

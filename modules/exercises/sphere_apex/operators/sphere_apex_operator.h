@@ -3,7 +3,7 @@
 
 #include "core/result.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/sphere_apex/operators/operator_settings.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator_settings.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modules/exercises/sphere_apex/operators/apex_technique.h"
-#include "modules/exercises/sphere_apex/operators/operator_settings.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator_settings.h"
 
 namespace chiron::operators {
 

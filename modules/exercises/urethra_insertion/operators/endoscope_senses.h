@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "mechanisms/hand_strategy.h"
 #include "mechanisms/markov_noise.h"
-#include "modules/exercises/urethra_insertion/operators/perception_settings.h"
+#include "modules/exercises/urethra_insertion/operators/endoscope_perception_settings.h"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #include "mechanisms/hand_strategy.h"
 #include "modules/exercises/urethra_insertion/operators/endoscope_reach.h"
 #include "modules/exercises/urethra_insertion/operators/endoscope_senses.h"
-#include "modules/exercises/urethra_insertion/operators/operator_settings.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator_settings.h"
 #include "modules/exercises/urethra_insertion/operators/way_memory.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "core/result.h"
 #include "mechanisms/hand_strategy.h"
-#include "modules/exercises/urethra_insertion/operators/operator_settings.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator_settings.h"
 
 #include <cstdint>
 #include <memory>

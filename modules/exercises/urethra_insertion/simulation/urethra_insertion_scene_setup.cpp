@@ -2,7 +2,7 @@
 // Set-up of the scene. It may allocate, so it is kept apart from the code of the tick.
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
-#include "simulation/scene_setup.h"
+#include "simulation/scene_parameters.h"
 
 #include <cmath>
 

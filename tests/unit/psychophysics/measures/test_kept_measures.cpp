@@ -13,7 +13,7 @@
 #include "psychophysics/measures/magnitude_estimation.h"
 #include "psychophysics/measures/page_trend.h"
 #include "psychophysics/measures/pairwise_ranking.h"
-#include "psychophysics/measures/questionnaire_summary.h"
+#include "psychophysics/measures/questionnaire_measures.h"
 #include "psychophysics/measures/random_effects.h"
 #include "psychophysics/measures/ranking_summary.h"
 #include "psychophysics/measures/run_curve.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Face and content validity: counts, medians, agreement and the content validity index by hand and from
 // published tables.
-#include "psychophysics/measures/questionnaire_summary.h"
+#include "psychophysics/measures/questionnaire_measures.h"
 #include "tests/unit/psychophysics/measures/published_line.h"
 
 using namespace chiron::psychophysics;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study whose experimenters are blind, from run to export: each run is of its own condition, nobody is told
 // which, and after unblinding it says what an open study would.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/study_analysis.h"

@@ -4,7 +4,7 @@
 #include "app/exercises/sphere_apex/session/apex_tap.h"
 #include "app/exercises/sphere_apex/session/live_apex.h"
 #include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/accounts/account_service.h"
 #include "database/query.h"
 #include "database/repositories/study_reader.h"

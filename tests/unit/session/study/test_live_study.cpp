@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sitting in real time without a window: pausing before the loop ticks, events that a sleeping window
 // misses, the delay of a device.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"

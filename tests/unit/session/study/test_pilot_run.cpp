@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A draft that somebody tries: a marked copy that is in no list, no run and no analysis of the study; and
 // what a participant meets, read off a design.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"

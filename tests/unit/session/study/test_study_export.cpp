@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What leaves a study: nobody's data over another's, and no number where nothing was measured.
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/bids_motion.h"

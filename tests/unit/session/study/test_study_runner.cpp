@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 #include "database/accounts/account_service.h"
 #include "database/repositories/study_repository.h"
 #include "psychophysics/observers/simulated_observer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/study_reader.h"
+#include "catalogue/study_json.h"
 
 #include "catalogue/canonical_json.h"
 #include "catalogue/json_file.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "psychophysics/fits/posterior_grid.h"
+#include "psychophysics/fits/density_grid.h"
 
 #include "psychophysics/fits/beta_binomial.h"
 #include "psychophysics/fits/sigmoid_shapes.h"

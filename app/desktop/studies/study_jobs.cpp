@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_jobs.h"
 
 #include "desktop/studies/study_words.h"
 #include "session/study/presentation_order.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/messages.h"
+#include "cli/cli_errors.h"
 
 namespace chiron::cli {
 

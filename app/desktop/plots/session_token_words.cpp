@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/plots/session_words.h"
+#include "desktop/plots/session_token_words.h"
 
 #include "desktop/sessions/session_words.h"
 #include "desktop/station/station_words.h"

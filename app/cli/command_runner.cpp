@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/program.h"
+#include "cli/command_runner.h"
 
 #include "cli/arguments.h"
+#include "cli/cli_errors.h"
 #include "cli/command_table.h"
 #include "cli/help_text.h"
-#include "cli/messages.h"
 #include "core/fp_environment.h"
 
 #include <QApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/frame/languages.h"
+#include "desktop/frame/interface_language.h"
 
 #include "core/languages.h"
 

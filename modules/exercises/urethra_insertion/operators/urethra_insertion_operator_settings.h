@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mechanisms/hand_parameters.h"
-#include "modules/exercises/urethra_insertion/operators/perception_settings.h"
+#include "modules/exercises/urethra_insertion/operators/endoscope_perception_settings.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/study/study_check.h"
+#include "session/study/study_run_check.h"
 
 #include "session/study/mark_sessions.h"
 #include "session/study/simulated_limits.h"

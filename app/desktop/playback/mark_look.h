@@ -11,9 +11,9 @@ namespace chiron::desktop {
 
 using session_report::markText;
 /// Icon (Breeze name) and colour of a mark.
-QString markIcon(session::PlaybackMarkKind kind);
+QString markIcon(const session::PlaybackMarkKind& kind);
 /// A critical error has the icon of an error, whatever its kind.
 QString markIcon(const session::PlaybackMark& mark);
-Colour markColour(session::PlaybackMarkKind kind);
+Colour markColour(const session::PlaybackMarkKind& kind);
 
 } // namespace chiron::desktop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mechanisms/evaluate_laws.h"
+#include "mechanisms/mechanism_laws.h"
 
 #include "core/units.h"
 #include "mechanisms/five_bar_kinematics.h"

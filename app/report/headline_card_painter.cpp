@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/headline_card.h"
+#include "report/headline_card_painter.h"
 
 #include "report/report_text.h"
 #include "report/text_box.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "psychophysics/measures/questionnaire_summary.h"
+#include "psychophysics/measures/questionnaire_measures.h"
 
 #include "psychophysics/measures/exact_tests.h"
 #include "psychophysics/measures/run_curve.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/palpation/scene/palpation_content.h"
+#include "app/exercises/palpation/scene/palpation_scene_content.h"
 
 #include "app/exercises/palpation/scene/map_picture.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"

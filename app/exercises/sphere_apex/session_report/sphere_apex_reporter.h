@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session_report/exercise_reporter.h"
+
+namespace chiron::session_report {
+
+class SphereApexReporter final : public ExerciseReporter {
+public:
+    std::string_view id() const noexcept override { return "sphere_apex"; }
+    std::shared_ptr<const report::ReportSection>
+    section(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) const override;
+    EndWords ends() const override;
+    std::span<const MarkWords> marks() const noexcept override;
+};
+
+} // namespace chiron::session_report
