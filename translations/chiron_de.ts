@@ -630,6 +630,18 @@
         <source>Ready. Nothing needs to be connected.</source>
         <translation>Bereit. Es muss nichts angeschlossen werden.</translation>
     </message>
+    <message>
+        <source>Exactly</source>
+        <translation type="unfinished">Exakt</translation>
+    </message>
+    <message>
+        <source>By the published formulas (error up to 27 %)</source>
+        <translation type="unfinished">Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
+    </message>
+    <message>
+        <source>How the gimbal renders force</source>
+        <translation type="unfinished">Wie der Gimbal Kraft ausgibt</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -8651,18 +8663,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
         <translation>Eine aufgezeichnete Bewegung (CSV, mit den Branchen) führt die Instrumente.</translation>
-    </message>
-    <message>
-        <source>How the gimbal renders force</source>
-        <translation>Wie der Gimbal Kraft ausgibt</translation>
-    </message>
-    <message>
-        <source>Exactly</source>
-        <translation>Exakt</translation>
-    </message>
-    <message>
-        <source>By the published formulas (error up to 27 %)</source>
-        <translation>Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator. Device: %1.</source>

@@ -630,6 +630,18 @@
         <source>Ready. Nothing needs to be connected.</source>
         <translation>Έτοιμη. Δεν χρειάζεται σύνδεση.</translation>
     </message>
+    <message>
+        <source>Exactly</source>
+        <translation type="unfinished">Ακριβώς</translation>
+    </message>
+    <message>
+        <source>By the published formulas (error up to 27 %)</source>
+        <translation type="unfinished">Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
+    </message>
+    <message>
+        <source>How the gimbal renders force</source>
+        <translation type="unfinished">Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -8651,18 +8663,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
         <translation>Μια καταγεγραμμένη κίνηση (CSV, με τις σιαγόνες) κινεί τα εργαλεία.</translation>
-    </message>
-    <message>
-        <source>How the gimbal renders force</source>
-        <translation>Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
-    </message>
-    <message>
-        <source>Exactly</source>
-        <translation>Ακριβώς</translation>
-    </message>
-    <message>
-        <source>By the published formulas (error up to 27 %)</source>
-        <translation>Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator. Device: %1.</source>
