@@ -632,15 +632,15 @@
     </message>
     <message>
         <source>Exactly</source>
-        <translation type="unfinished">Exakt</translation>
+        <translation>Exakt</translation>
     </message>
     <message>
         <source>By the published formulas (error up to 27 %)</source>
-        <translation type="unfinished">Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
+        <translation>Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
-        <translation type="unfinished">Wie der Gimbal Kraft ausgibt</translation>
+        <translation>Wie der Gimbal Kraft ausgibt</translation>
     </message>
 </context>
 <context>

@@ -632,15 +632,15 @@
     </message>
     <message>
         <source>Exactly</source>
-        <translation type="unfinished">Ακριβώς</translation>
+        <translation>Ακριβώς</translation>
     </message>
     <message>
         <source>By the published formulas (error up to 27 %)</source>
-        <translation type="unfinished">Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
+        <translation>Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
     </message>
     <message>
         <source>How the gimbal renders force</source>
-        <translation type="unfinished">Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
+        <translation>Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
     </message>
 </context>
 <context>
