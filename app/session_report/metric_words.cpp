@@ -58,7 +58,7 @@ QString metricReason(const QString& stored) {
     const auto undefined = scoring::undefinedOf(stored.toStdString());
     if (!undefined)
         return stored;
-    QString words = translated(scoring::wordsOf(undefined->reason));
+    QString words = translated(undefined->reason.words);
     for (std::size_t i = 0; i < scoring::countsOf(undefined->reason); ++i)
         words = words.arg(undefined->counts[i]);
     return words;

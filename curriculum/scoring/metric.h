@@ -31,7 +31,7 @@ struct Measurement {
     std::string reason; ///< in the form in which scores store it: storedText
 
     static Measurement of(double v) { return {v, {}}; }
-    static Measurement undefined(UndefinedReason why, const std::array<int, 3>& counts = {}) {
+    static Measurement undefined(const UndefinedReason& why, const std::array<int, 3>& counts = {}) {
         return {std::nullopt, storedText({why, counts})};
     }
 };

@@ -2,10 +2,15 @@
 #include "scoring/metric_catalogue.h"
 
 #include "curriculum/exercises/elastic_tube/scoring/tube_metrics.h"
+#include "curriculum/exercises/elastic_tube/scoring/tube_reasons.h"
 #include "curriculum/exercises/object_handling/scoring/handling_metrics.h"
+#include "curriculum/exercises/object_handling/scoring/handling_reasons.h"
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_metrics.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_reasons.h"
 #include "curriculum/exercises/urethra_insertion/scoring/canal_metrics.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_reasons.h"
 #include "scoring/metrics/metric_rows.h"
 
 namespace chiron::scoring {
@@ -21,6 +26,18 @@ std::span<const MetricDefinition> metricCatalogue() {
         return all;
     }();
     return metrics;
+}
+
+std::span<const UndefinedReason> undefinedReasons() {
+    static const std::vector<UndefinedReason> every = [] {
+        std::vector<UndefinedReason> all;
+        using List = std::span<const UndefinedReason>;
+        for (const List list : {List(kSharedReasons), List(kApexReasons), List(kCanalReasons),
+                                List(kTubeReasons), List(kHandlingReasons), List(kPalpationReasons)})
+            all.insert(all.end(), list.begin(), list.end());
+        return all;
+    }();
+    return every;
 }
 
 const MetricDefinition* findMetric(std::string_view id, int version) {

@@ -48,8 +48,7 @@ MetricValue valueOf(const MetricDefinition& metric, const Measurement& measured)
 Measurement measured(const MetricDefinition& metric, std::span<const PreparedTrial> trials) {
     const bool known = std::all_of(trials.begin(), trials.end(),
                                    [](const PreparedTrial& t) { return t.trial->forcesKnown; });
-    return metric.needsForces && !known ? Measurement::undefined(UndefinedReason::noForces)
-                                        : metric.measure(trials);
+    return metric.needsForces && !known ? Measurement::undefined(reasons::kNoForces) : metric.measure(trials);
 }
 
 /// Aggregates over the trials that have a value. If none has, the result has the first reason.
@@ -60,7 +59,7 @@ Measurement aggregate(const MetricDefinition& metric, const std::vector<std::vec
         if (trial[column].value)
             values.push_back(*trial[column].value);
     if (values.empty())
-        return trials.empty() ? Measurement::undefined(UndefinedReason::noTrials)
+        return trials.empty() ? Measurement::undefined(reasons::kNoTrials)
                               : Measurement{std::nullopt, trials.front()[column].reason};
     double sum = 0.0;
     for (const double v : values)
@@ -109,19 +108,18 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
             prepared.push_back(prepareTrial(trial, onGrids->forceLimit_N));
         auto& row = card.trials.emplace_back();
         for (const MetricDefinition* metric : *chosen)
-            row.push_back(valueOf(*metric, trial.unfinished
-                                               ? Measurement::undefined(UndefinedReason::notFinished)
-                                               : measured(*metric, {&prepared.back(), 1})));
+            row.push_back(valueOf(*metric, trial.unfinished ? Measurement::undefined(reasons::kNotFinished)
+                                                            : measured(*metric, {&prepared.back(), 1})));
     }
     for (PreparedTrial& trial : prepared)
         trial.plannedTrials = onGrids->plannedTrials;
     const bool noneFinished = prepared.empty() && !onGrids->trials.empty();
     for (std::size_t i = 0; i < chosen->size(); ++i) {
         const MetricDefinition& metric = *(*chosen)[i];
-        card.metrics.push_back(
-            valueOf(metric, noneFinished ? Measurement::undefined(UndefinedReason::noneFinished)
-                            : metric.aggregate == Aggregate::pooled ? measured(metric, prepared)
-                                                                    : aggregate(metric, card.trials, i)));
+        card.metrics.push_back(valueOf(metric, noneFinished ? Measurement::undefined(reasons::kNoneFinished)
+                                               : metric.aggregate == Aggregate::pooled
+                                                   ? measured(metric, prepared)
+                                                   : aggregate(metric, card.trials, i)));
     }
     applyGates(card, gates, completed);
     return card;

@@ -38,7 +38,7 @@ std::vector<double> normalisedSpectrum(std::span<const double> speed, double dt_
 
 Measurement spectralArcLength(std::span<const double> speed, double dt_s) {
     if (speed.empty() || *std::max_element(speed.begin(), speed.end()) <= 0.0)
-        return Measurement::undefined(UndefinedReason::noMovement);
+        return Measurement::undefined(reasons::kNoMovement);
     const std::size_t points = std::bit_ceil(speed.size()) << kPadding;
     const std::vector<double> amplitude = normalisedSpectrum(speed, dt_s, points);
     std::size_t last = 0;
@@ -46,7 +46,7 @@ Measurement spectralArcLength(std::span<const double> speed, double dt_s) {
         if (amplitude[k] >= kAmplitudeThreshold)
             last = k;
     if (last == 0)
-        return Measurement::undefined(UndefinedReason::noSpectrum);
+        return Measurement::undefined(reasons::kNoSpectrum);
     const double stepOverBand = 1.0 / static_cast<double>(last);
     double length = 0.0;
     for (std::size_t k = 1; k <= last; ++k)
@@ -56,10 +56,10 @@ Measurement spectralArcLength(std::span<const double> speed, double dt_s) {
 
 Measurement logDimensionlessJerk(std::span<const double> speed, double dt_s) {
     if (speed.size() < 3)
-        return Measurement::undefined(UndefinedReason::tooFewSpeeds);
+        return Measurement::undefined(reasons::kTooFewSpeeds);
     const double peak = *std::max_element(speed.begin(), speed.end());
     if (peak <= 0.0)
-        return Measurement::undefined(UndefinedReason::noMovement);
+        return Measurement::undefined(reasons::kNoMovement);
     double squares = 0.0;
     for (std::size_t i = 2; i < speed.size(); ++i) {
         const double jerk = (speed[i] - 2.0 * speed[i - 1] + speed[i - 2]) / (dt_s * dt_s);
@@ -68,7 +68,7 @@ Measurement logDimensionlessJerk(std::span<const double> speed, double dt_s) {
     const double duration = static_cast<double>(speed.size()) * dt_s;
     const double dimensionless = duration * duration * duration / (peak * peak) * squares;
     if (!(dimensionless > 0.0))
-        return Measurement::undefined(UndefinedReason::noJerk);
+        return Measurement::undefined(reasons::kNoJerk);
     return Measurement::of(-std::log(dimensionless));
 }
 

@@ -2,5 +2,6 @@
 #pragma once
 
 /// Marks a text in code without Qt, so that lupdate finds it. Screens and printed reports show the text in
-/// the reader's language; the code that shows it translates it in the same context.
-#define QT_TRANSLATE_NOOP(context, text) text
+/// the reader's language; the code that shows it translates it in the same context. It is spelled as Qt
+/// spells it, so that a file may read both definitions.
+#define QT_TRANSLATE_NOOP(scope, x) x

@@ -57,7 +57,7 @@ struct LoadOfEveryTool {
 };
 
 Measurement noSamples() {
-    return Measurement::undefined(UndefinedReason::noSamples);
+    return Measurement::undefined(reasons::kNoSamples);
 }
 
 template <class Of> Measurement measureForceMax(std::span<const PreparedTrial> trials) {
@@ -75,7 +75,7 @@ Measurement measureForceMean(std::span<const PreparedTrial> trials) {
             ++samples;
         }
     });
-    return samples == 0 ? Measurement::undefined(UndefinedReason::noContact)
+    return samples == 0 ? Measurement::undefined(reasons::kNoContact)
                         : Measurement::of(sum_N / static_cast<double>(samples));
 }
 
@@ -85,8 +85,7 @@ Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
         impulse_Ns += touched ? load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
-    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s)
-                        : Measurement::undefined(UndefinedReason::noContact);
+    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s) : Measurement::undefined(reasons::kNoContact);
 }
 
 Measurement measureForceRms(std::span<const PreparedTrial> trials) {
@@ -106,7 +105,7 @@ Measurement measureForceRms2(std::span<const PreparedTrial> trials) {
         time_s += touched ? held_s : 0.0;
     });
     return time_s > 0.0 ? Measurement::of(std::sqrt(squares_N2s / time_s))
-                        : Measurement::undefined(UndefinedReason::noContact);
+                        : Measurement::undefined(reasons::kNoContact);
 }
 
 Measurement measureForceP95(std::span<const PreparedTrial> trials) {
@@ -133,7 +132,7 @@ Measurement measureForceP95Of2(std::span<const PreparedTrial> trials) {
         }
     });
     if (loads.empty())
-        return Measurement::undefined(UndefinedReason::noContact);
+        return Measurement::undefined(reasons::kNoContact);
     std::sort(loads.begin(), loads.end());
     double below_s = 0.0;
     for (const auto& [load_N, held_s] : loads)
@@ -153,7 +152,7 @@ Measurement measureForcePeakRate(std::span<const PreparedTrial> trials) {
                 largest = std::max(largest, std::abs(tool.tissue_N[i + 1].norm() - tool.tissue_N[i].norm()) /
                                                 (tool.t_s[i + 1] - tool.t_s[i]));
     }
-    return largest < 0.0 ? Measurement::undefined(UndefinedReason::tooFewSamples) : Measurement::of(largest);
+    return largest < 0.0 ? Measurement::undefined(reasons::kTooFewSamples) : Measurement::of(largest);
 }
 
 template <class Of> Measurement measureForceImpulseOverLimit(std::span<const PreparedTrial> trials) {

@@ -33,7 +33,7 @@ Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion Prep
     }
     if (!values.empty())
         return Measurement::of(median(std::move(values)));
-    return Measurement::undefined(moved ? UndefinedReason::noSubMovement : UndefinedReason::noMovement);
+    return Measurement::undefined(moved ? reasons::kNoSubMovement : reasons::kNoMovement);
 }
 
 Measurement measureTime(std::span<const PreparedTrial> trials) {
@@ -51,8 +51,7 @@ Measurement measureTime(std::span<const PreparedTrial> trials) {
             if (!tool.paused[i] && tool.t_s[i + 1] > start_s)
                 total_s += tool.t_s[i + 1] - std::max(tool.t_s[i], start_s);
     }
-    return any ? Measurement::of(total_s)
-               : Measurement::undefined(UndefinedReason::neitherMovementNorContact);
+    return any ? Measurement::of(total_s) : Measurement::undefined(reasons::kNeitherMovementNorContact);
 }
 
 Measurement measurePathLength(std::span<const PreparedTrial> trials) {
@@ -64,8 +63,7 @@ Measurement measurePathLength(std::span<const PreparedTrial> trials) {
                 length_m += (run.p_WT_m[i + 1] - run.p_WT_m[i]).norm();
                 any = true;
             }
-    return any ? Measurement::of(core::mmFromM(length_m))
-               : Measurement::undefined(UndefinedReason::tooFewPositions);
+    return any ? Measurement::of(core::mmFromM(length_m)) : Measurement::undefined(reasons::kTooFewPositions);
 }
 
 constexpr double kShortest_m = 0.005; // models.md §6: for shorter distances the ratio is meaningless
@@ -88,7 +86,7 @@ Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
         ++counted;
     }
     return counted > 0 ? Measurement::of(sum_percent / counted)
-                       : Measurement::undefined(UndefinedReason::endsTooNear);
+                       : Measurement::undefined(reasons::kEndsTooNear);
 }
 
 /// Length of the tip's path, and its progress along the centre-line, in those stages of one trial that follow
@@ -214,7 +212,7 @@ Measurement meanOverTrials(std::span<const PreparedTrial> trials,
             ++counted;
         }
     return counted > 0 ? Measurement::of(sum_percent / counted)
-                       : Measurement::undefined(UndefinedReason::endsTooNear);
+                       : Measurement::undefined(reasons::kEndsTooNear);
 }
 
 /// In a canal this uses its stages, elsewhere version 1.

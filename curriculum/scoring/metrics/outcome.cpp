@@ -14,11 +14,11 @@ namespace {
 
 Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     // An exercise in which a mark ends the trial has no procedure to complete.
     for (const PreparedTrial& trial : trials)
         if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
-            return Measurement::undefined(UndefinedReason::noProcedure);
+            return Measurement::undefined(reasons::kNoProcedure);
     std::size_t done = 0;
     for (const PreparedTrial& trial : trials)
         done += trial.trial->completed ? 1 : 0;

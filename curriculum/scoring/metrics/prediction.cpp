@@ -28,8 +28,7 @@ Measurement rootMeanSquare(std::span<const PreparedTrial> trials, std::string_vi
             }
     }
     if (count == 0)
-        return Measurement::undefined(known ? UndefinedReason::nothingPredicted
-                                            : UndefinedReason::noPrediction);
+        return Measurement::undefined(known ? reasons::kNothingPredicted : reasons::kNoPrediction);
     return Measurement::of(1e3 * std::sqrt(sum / static_cast<double>(count)));
 }
 

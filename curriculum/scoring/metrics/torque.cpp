@@ -21,7 +21,7 @@ std::optional<Measurement> forEachTorque(std::span<const PreparedTrial> trials, 
         if (trial.tool == nullptr)
             continue;
         if (trial.tool->tissueTorque_Nm.empty())
-            return Measurement::undefined(UndefinedReason::noTorques);
+            return Measurement::undefined(reasons::kNoTorques);
         for (std::size_t i = 0; i < trial.tool->t_s.size(); ++i)
             if (trial.tool->paused[i] == 0)
                 visit(trial.tool->tissueTorque_Nm[i].norm());
@@ -34,8 +34,7 @@ Measurement measureTorqueMax(std::span<const PreparedTrial> trials) {
     if (auto why =
             forEachTorque(trials, [&](double torque_Nm) { largest_Nm = std::max(largest_Nm, torque_Nm); }))
         return *why;
-    return largest_Nm < 0.0 ? Measurement::undefined(UndefinedReason::noSamples)
-                            : Measurement::of(1e3 * largest_Nm);
+    return largest_Nm < 0.0 ? Measurement::undefined(reasons::kNoSamples) : Measurement::of(1e3 * largest_Nm);
 }
 
 Measurement measureTorqueRms(std::span<const PreparedTrial> trials) {
@@ -47,7 +46,7 @@ Measurement measureTorqueRms(std::span<const PreparedTrial> trials) {
     });
     if (why)
         return *why;
-    return samples == 0 ? Measurement::undefined(UndefinedReason::noSamples)
+    return samples == 0 ? Measurement::undefined(reasons::kNoSamples)
                         : Measurement::of(1e3 * std::sqrt(squares / static_cast<double>(samples)));
 }
 

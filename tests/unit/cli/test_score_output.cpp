@@ -43,11 +43,9 @@ void TestScoreOutput::aMissingValueIsExplained() {
 }
 
 void TestScoreOutput::everyReasonHasItsWords() {
-    for (std::size_t i = 0; i < scoring::kUndefinedReasons; ++i) {
-        const auto reason = static_cast<scoring::UndefinedReason>(i);
+    for (const scoring::UndefinedReason& reason : scoring::undefinedReasons()) {
         const std::string stored = scoring::storedText({reason, {3, 2, 1}});
-        QString words = QString::fromUtf8(scoring::wordsOf(reason).data(),
-                                          static_cast<qsizetype>(scoring::wordsOf(reason).size()));
+        QString words = QString::fromUtf8(reason.words.data(), static_cast<qsizetype>(reason.words.size()));
         for (const int count : {3, 2, 1})
             if (scoring::countsOf(reason) > 0)
                 words = words.arg(count);

@@ -72,8 +72,8 @@ private slots:
 
     void everyReasonHasWords() {
         std::set<QString> said;
-        for (std::size_t i = 0; i < scoring::kUndefinedReasons; ++i) {
-            const scoring::Undefined undefined{static_cast<scoring::UndefinedReason>(i), {4, 5, 20}};
+        for (const scoring::UndefinedReason& reason : scoring::undefinedReasons()) {
+            const scoring::Undefined undefined{reason, {4, 5, 20}};
             const QString words =
                 session_report::metricReason(QString::fromStdString(scoring::storedText(undefined)));
             QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('%')) && said.insert(words).second,

@@ -2,6 +2,7 @@
 #include "curriculum/exercises/elastic_tube/scoring/tube_metrics.h"
 
 #include "cues/laparoscopy_cues.h"
+#include "curriculum/exercises/elastic_tube/scoring/tube_reasons.h"
 #include "curriculum/exercises/elastic_tube/scoring/tube_truth.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"
@@ -27,12 +28,12 @@ namespace {
 std::optional<Measurement> withoutTube(std::span<const PreparedTrial> trials, std::string_view quantity,
                                        std::optional<double> TubeTruth::*truth = nullptr) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     for (const PreparedTrial& trial : trials) {
         if (quantityOf(trial, quantity) == nullptr || quantityOf(trial, "step") == nullptr)
-            return Measurement::undefined(UndefinedReason::noTubeData);
+            return Measurement::undefined(reasons::kNoTubeData);
         if (truth != nullptr && !(tubeTruthIn(*trial.trial).*truth))
-            return Measurement::undefined(UndefinedReason::noSuchTarget);
+            return Measurement::undefined(reasons::kNoSuchTarget);
     }
     return std::nullopt;
 }
@@ -78,7 +79,7 @@ template <class Visit> void forEachTensionError(std::span<const PreparedTrial> t
 }
 
 Measurement neverHeld() {
-    return Measurement::undefined(UndefinedReason::tensionNeverHeld);
+    return Measurement::undefined(reasons::kTensionNeverHeld);
 }
 
 /// Returns the samples of a trial during which the fold has to be kept back: from the moment when it first
@@ -101,7 +102,7 @@ std::optional<Measurement> withoutFold(std::span<const PreparedTrial> trials) {
         const TubeTruth truth = tubeTruthIn(*trial.trial);
         if (!quantityOf(trial, "retraction_N") || !quantityOf(trial, "fold_open") || !truth.retractionLow_N ||
             !truth.retractionHigh_N)
-            return Measurement::undefined(UndefinedReason::noSuchTarget);
+            return Measurement::undefined(reasons::kNoSuchTarget);
     }
     return std::nullopt;
 }
@@ -176,7 +177,7 @@ Measurement measureTimeInBand(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         const auto band = bandOf(trial);
         if (!band)
-            return Measurement::undefined(UndefinedReason::noSuchTarget);
+            return Measurement::undefined(reasons::kNoSuchTarget);
         sum += inBand_us(trial, *band);
     }
     return Measurement::of(static_cast<double>(sum) / 1e6 / static_cast<double>(trials.size()));

@@ -2,6 +2,7 @@
 #include "curriculum/exercises/object_handling/scoring/handling_metrics.h"
 
 #include "core/units.h"
+#include "curriculum/exercises/object_handling/scoring/handling_reasons.h"
 #include "curriculum/exercises/object_handling/scoring/handling_samples.h"
 #include "scoring/metrics/metric_rows.h"
 
@@ -13,12 +14,12 @@ namespace {
 
 Measurement measureSqueezeMax(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double largest_N = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* squeeze = quantityOf(trial, "squeeze_N");
         if (squeeze == nullptr)
-            return Measurement::undefined(UndefinedReason::noSqueeze);
+            return Measurement::undefined(reasons::kNoSqueeze);
         for (std::size_t i = 0; i < squeeze->values.size(); ++i)
             if (trial.tool->paused[i] == 0)
                 largest_N = std::max(largest_N, squeeze->values[i]);
@@ -28,15 +29,15 @@ Measurement measureSqueezeMax(std::span<const PreparedTrial> trials) {
 
 Measurement measureSqueezeTimeOverLimit(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* squeeze = quantityOf(trial, "squeeze_N");
         if (squeeze == nullptr)
-            return Measurement::undefined(UndefinedReason::noSqueeze);
+            return Measurement::undefined(reasons::kNoSqueeze);
         const auto limit_N = handlingTruthIn(*trial.trial).squeezeLimit_N;
         if (!limit_N)
-            return Measurement::undefined(UndefinedReason::noSqueezeLimit);
+            return Measurement::undefined(reasons::kNoSqueezeLimit);
         const std::vector<double>& t_s = trial.tool->t_s;
         for (std::size_t i = 0; i + 1 < t_s.size(); ++i)
             if (trial.tool->paused[i] == 0 && squeeze->values[i] > *limit_N)
@@ -47,12 +48,12 @@ Measurement measureSqueezeTimeOverLimit(std::span<const PreparedTrial> trials) {
 
 Measurement measurePlacementError(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double sum_m = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto placed = answerOf(trial);
         if (!placed)
-            return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
+            return Measurement::undefined(reasons::kNoObjectsAndTarget);
         sum_m += placed->fromTarget_m;
     }
     return Measurement::of(core::mmFromM(sum_m / static_cast<double>(trials.size())));
@@ -62,15 +63,15 @@ constexpr int kWeigh = 1; ///< simulation::HandlingTask::weigh, as HandlingTruth
 
 Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     std::size_t correct = 0;
     for (const PreparedTrial& trial : trials) {
         const HandlingTruth truth = handlingTruthIn(*trial.trial);
         if (truth.task != kWeigh || !truth.heaviest)
-            return Measurement::undefined(UndefinedReason::noWeighing);
+            return Measurement::undefined(reasons::kNoWeighing);
         const auto placed = answerOf(trial);
         if (!placed)
-            return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
+            return Measurement::undefined(reasons::kNoObjectsAndTarget);
         correct += trial.trial->completed && placed->taken && placed->number == *truth.heaviest ? 1 : 0;
     }
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));
@@ -79,12 +80,12 @@ Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
 /// A person who chooses one of n objects without lifting any is right with a probability of 1/n.
 Measurement measureWeighingCorrectByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
         const HandlingTruth truth = handlingTruthIn(*trial.trial);
         if (!truth.heaviest || truth.objects.value_or(0) < 1)
-            return Measurement::undefined(UndefinedReason::noWeighing);
+            return Measurement::undefined(reasons::kNoWeighing);
         sum += 1.0 / *truth.objects;
     }
     return Measurement::of(100.0 * sum / static_cast<double>(trials.size()));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
+
 #include <algorithm>
 
 namespace chiron::scoring {
@@ -13,12 +15,12 @@ int PalpationAnswer::hits() const noexcept {
 JudgedTrial judgePalpation(const TrialTrace& trial) {
     auto truth = palpationTruthOf(trial.truth);
     if (!truth)
-        return {std::nullopt, UndefinedReason::noLumpsAndArea};
+        return {std::nullopt, reasons::kNoLumpsAndArea};
     auto reports = reportsOf(trial);
     if (!reports)
-        return {std::nullopt, UndefinedReason::noReports};
+        return {std::nullopt, reasons::kNoReports};
     if (reports->lost > 0)
-        return {std::nullopt, UndefinedReason::lostReports};
+        return {std::nullopt, reasons::kLostReports};
     PalpationAnswer answer;
     answer.truth = std::move(*truth);
     answer.reports = std::move(reports->reports);

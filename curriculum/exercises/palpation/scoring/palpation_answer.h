@@ -29,7 +29,7 @@ struct PalpationAnswer {
 /// A trial's answer, or the reason why there is none.
 struct JudgedTrial {
     std::optional<PalpationAnswer> answer;
-    UndefinedReason reason = UndefinedReason::noTrials; ///< valid if there is no answer
+    UndefinedReason reason = reasons::kNoTrials; ///< valid if there is no answer
 };
 
 /// Judges a trial. A trial that ended because its time was up is judged by what had been reported until then.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
 
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"
 #include "curriculum/exercises/palpation/scoring/roc_curve.h"
 #include "scoring/metrics/metric_rows.h"
@@ -14,7 +15,7 @@ Measurement measurePalpationHitsOf(const JudgedTrials& judgedTrials) {
     if (undefined)
         return *undefined;
     if (lumpsOf(answers) == 0)
-        return Measurement::undefined(UndefinedReason::noLumpThere);
+        return Measurement::undefined(reasons::kNoLumpThere);
     int hits = 0;
     for (const PalpationAnswer& answer : answers)
         hits += answer.hits();
@@ -33,7 +34,7 @@ Measurement measurePalpationMissesOf(const JudgedTrials& judgedTrials) {
     if (undefined)
         return *undefined;
     if (lumpsOf(answers) == 0)
-        return Measurement::undefined(UndefinedReason::noLumpThere);
+        return Measurement::undefined(reasons::kNoLumpThere);
     int misses = 0;
     for (const PalpationAnswer& answer : answers)
         misses += answer.misses();
@@ -105,7 +106,7 @@ Measurement measurePalpationRocAreaOf(const JudgedTrials& judgedTrials) {
     if (!core::isUsable(ratings.counts()))
         return tooFewRegions(ratings.counts());
     if (!rated)
-        return Measurement::undefined(UndefinedReason::noConfidence);
+        return Measurement::undefined(reasons::kNoConfidence);
     return Measurement::of(rocOf(ratings)->area);
 }
 

@@ -2,6 +2,7 @@
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
 
 #include "curriculum/exercises/palpation/scoring/finding_errors.h"
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"
 #include "scoring/median.h"
 #include "scoring/metrics/metric_rows.h"
@@ -24,7 +25,7 @@ Measurement measureLocalisationError(std::span<const PreparedTrial> trials) {
         all.count += errors.count;
     }
     return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count)
-                         : Measurement::undefined(UndefinedReason::noLumpFound);
+                         : Measurement::undefined(reasons::kNoLumpFound);
 }
 
 /// A position drawn at random from a disc of radius r is on average 2r/3 from its centre, and a finding
@@ -43,8 +44,7 @@ Measurement measureLocalisationErrorByChance(std::span<const PreparedTrial> tria
                                   answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
                 ++hits;
             }
-    return hits > 0 ? Measurement::of(1e3 * sum_m / hits)
-                    : Measurement::undefined(UndefinedReason::noLumpFound);
+    return hits > 0 ? Measurement::of(1e3 * sum_m / hits) : Measurement::undefined(reasons::kNoLumpFound);
 }
 
 Measurement measureSizeError(std::span<const PreparedTrial> trials) {
@@ -61,7 +61,7 @@ Measurement measureSizeError(std::span<const PreparedTrial> trials) {
     }
     if (all.count > 0)
         return Measurement::of(1e3 * all.sum / all.count);
-    return Measurement::undefined(asked ? UndefinedReason::noSizeSaid : UndefinedReason::noSizeAsked);
+    return Measurement::undefined(asked ? reasons::kNoSizeSaid : reasons::kNoSizeAsked);
 }
 
 /// The median of the true radii is the best constant answer.
@@ -74,7 +74,7 @@ Measurement measureSizeErrorByChance(std::span<const PreparedTrial> trials) {
         for (const double radius_m : saidSizes(answer.truth, answer.findings, answer.matches))
             radii_m.push_back(radius_m);
     if (radii_m.empty())
-        return Measurement::undefined(UndefinedReason::noSizeSaid);
+        return Measurement::undefined(reasons::kNoSizeSaid);
     const double best_m = median(radii_m);
     double sum_m = 0.0;
     for (const double radius_m : radii_m)
@@ -96,9 +96,9 @@ Measurement measureSizeErrorByChance2(std::span<const PreparedTrial> trials) {
             radii_m.push_back(lump.radius_m);
     }
     if (!asked)
-        return Measurement::undefined(UndefinedReason::noSizeAsked);
+        return Measurement::undefined(reasons::kNoSizeAsked);
     if (radii_m.size() < 2)
-        return Measurement::undefined(UndefinedReason::tooFewLumps);
+        return Measurement::undefined(reasons::kTooFewLumps);
     const double best_m = median(radii_m);
     double sum_m = 0.0;
     for (const double radius_m : radii_m)
@@ -122,9 +122,8 @@ Measurement measureHardnessOrder(std::span<const PreparedTrial> trials) {
     if (all.pairs > 0)
         return Measurement::of(100.0 * all.right / all.pairs);
     if (!asked && all.rated == 0)
-        return Measurement::undefined(UndefinedReason::noHardnessAsked);
-    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardnessOfATrial
-                                                : UndefinedReason::equallyHard);
+        return Measurement::undefined(reasons::kNoHardnessAsked);
+    return Measurement::undefined(all.rated < 2 ? reasons::kTooFewHardnessOfATrial : reasons::kEquallyHard);
 }
 
 /// Pools all rated hits of the session, because they were rated on one scale.
@@ -143,9 +142,8 @@ Measurement measureHardnessOrder2(std::span<const PreparedTrial> trials) {
     if (all.pairs > 0)
         return Measurement::of(100.0 * all.right / all.pairs);
     if (!asked && all.rated == 0)
-        return Measurement::undefined(UndefinedReason::noHardnessAsked);
-    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardness
-                                                : UndefinedReason::equallyHard);
+        return Measurement::undefined(reasons::kNoHardnessAsked);
+    return Measurement::undefined(all.rated < 2 ? reasons::kTooFewHardness : reasons::kEquallyHard);
 }
 
 Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) {
@@ -159,7 +157,7 @@ Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) 
     }
     const HardnessPairs all = hardnessPairs(rated);
     return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance)
-                         : Measurement::undefined(UndefinedReason::noUnequalPair);
+                         : Measurement::undefined(reasons::kNoUnequalPair);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "core/contact_bits.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
 
@@ -24,7 +25,7 @@ struct JudgedTrials {
 inline JudgedTrials judged(std::span<const PreparedTrial> trials) {
     JudgedTrials out;
     if (trials.empty())
-        out.undefined = Measurement::undefined(UndefinedReason::noTrials);
+        out.undefined = Measurement::undefined(reasons::kNoTrials);
     for (const PreparedTrial& trial : trials) {
         JudgedTrial one = judgePalpation(*trial.trial);
         if (!one.answer) {
@@ -90,7 +91,7 @@ inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answer
 /// Returns the reason why d′, c and the area under the ROC would be meaningless for so few regions.
 inline Measurement tooFewRegions(const core::DetectionCounts& n) {
     return Measurement::undefined(
-        UndefinedReason::tooFewRegions,
+        reasons::kTooFewRegions,
         {static_cast<int>(n.ofSignal), static_cast<int>(n.ofNoise), core::kUsableCounts});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
 
+#include "curriculum/exercises/palpation/scoring/palpation_reasons.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"
 #include "scoring/metrics/metric_rows.h"
 #include "scoring/metrics/recorded_values.h"
@@ -15,12 +16,12 @@ namespace {
 
 Measurement measureCoverage(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* coverage = quantityOf(trial, "coverage");
         if (coverage == nullptr || coverage->values.empty())
-            return Measurement::undefined(UndefinedReason::noCoverage);
+            return Measurement::undefined(reasons::kNoCoverage);
         sum += coverage->values.back();
     }
     return Measurement::of(100.0 * sum / static_cast<double>(trials.size()));
@@ -28,20 +29,20 @@ Measurement measureCoverage(std::span<const PreparedTrial> trials) {
 
 Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double pressing_s = 0.0;
     double inBand_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const PalpationBand band = palpationBandOf(trial.trial->truth);
         if (!band.low_N || !band.high_N)
-            return Measurement::undefined(UndefinedReason::noForceBand);
+            return Measurement::undefined(reasons::kNoForceBand);
         forEachPress(trial, [&](double force_N, double begin_s, double end_s) {
             pressing_s += end_s - begin_s;
             inBand_s += force_N >= *band.low_N && force_N <= *band.high_N ? end_s - begin_s : 0.0;
         });
     }
     return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s)
-                            : Measurement::undefined(UndefinedReason::nothingPressed);
+                            : Measurement::undefined(reasons::kNothingPressed);
 }
 
 /// Length of the union of all fingers' presses: simultaneous presses count once.
@@ -65,11 +66,11 @@ double pressed_s(const PreparedTrial& trial) {
 
 Measurement measurePressingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         if (trial.tool == nullptr)
-            return Measurement::undefined(UndefinedReason::noSamples);
+            return Measurement::undefined(reasons::kNoSamples);
         time_s += pressed_s(trial);
     }
     return Measurement::of(time_s);
@@ -92,12 +93,12 @@ double searched_s(const ToolTrace& tool, double until_s) {
 
 Measurement measureSearchingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto told = reportsOf(*trial.trial);
         if (!told || trial.tool == nullptr)
-            return Measurement::undefined(UndefinedReason::noReports);
+            return Measurement::undefined(reasons::kNoReports);
         time_s += searched_s(*trial.tool, doneAt_s(told->reports));
     }
     return Measurement::of(time_s);

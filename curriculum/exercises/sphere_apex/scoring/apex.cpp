@@ -2,6 +2,7 @@
 #include "curriculum/exercises/sphere_apex/scoring/apex_metrics.h"
 
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_reasons.h"
 #include "scoring/median.h"
 #include "scoring/metrics/metric_rows.h"
 
@@ -48,7 +49,7 @@ Measurement measureErrorSd(std::span<const PreparedTrial> trials) {
     if (all.undefined)
         return *all.undefined;
     if (all.answers.size() < 2)
-        return Measurement::undefined(UndefinedReason::needsTwoTrials);
+        return Measurement::undefined(reasons::kNeedsTwoTrials);
     const double n = 2.0 * static_cast<double>(all.answers.size());
     const double mean = sumOf(all.answers, offBy) / n;
     double squares = 0.0;
@@ -72,16 +73,16 @@ template <double ApexAnswer::*error> Measurement measureBias(std::span<const Pre
 /// The median of the true positions is the best constant answer.
 Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     std::vector<double> x_m, y_m;
     for (const PreparedTrial& trial : trials) {
         if (!trial.trial->apex || !(trial.trial->apex->radius_m > 0.0))
-            return Measurement::undefined(UndefinedReason::apexUnknown);
+            return Measurement::undefined(reasons::kApexUnknown);
         x_m.push_back(trial.trial->apex->x_m);
         y_m.push_back(trial.trial->apex->y_m);
     }
     if (trials.size() < 2)
-        return Measurement::undefined(UndefinedReason::oneTrialHasNoChance);
+        return Measurement::undefined(reasons::kOneTrialHasNoChance);
     const double bestX_m = median(x_m), bestY_m = median(y_m);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 
+#include "curriculum/exercises/sphere_apex/scoring/apex_reasons.h"
+
 #include <cmath>
 
 namespace chiron::scoring {
@@ -27,14 +29,14 @@ ApexAnswers apexAnswers(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         const std::optional<ApexAnswer> answer = apexAnswer(trial);
         if (!answer) {
-            all.undefined = Measurement::undefined(trial.trial->apex ? UndefinedReason::noPosition
-                                                                     : UndefinedReason::apexUnknown);
+            all.undefined =
+                Measurement::undefined(trial.trial->apex ? reasons::kNoPosition : reasons::kApexUnknown);
             return all;
         }
         all.answers.push_back(*answer);
     }
     if (all.answers.empty())
-        all.undefined = Measurement::undefined(UndefinedReason::noTrials);
+        all.undefined = Measurement::undefined(reasons::kNoTrials);
     return all;
 }
 

@@ -2,6 +2,7 @@
 #include "curriculum/exercises/urethra_insertion/scoring/canal_metrics.h"
 
 #include "core/units.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_reasons.h"
 #include "curriculum/exercises/urethra_insertion/scoring/canal_samples.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "modules/exercises/urethra_insertion/cues/canal_reach.h"
@@ -54,7 +55,7 @@ Measurement measureBendAlignment(std::span<const PreparedTrial> trials) {
         if (isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
-    return angle_rad.empty() ? Measurement::undefined(UndefinedReason::neverAtBend)
+    return angle_rad.empty() ? Measurement::undefined(reasons::kNeverAtBend)
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 
@@ -66,7 +67,7 @@ Measurement measureCurveAlignment(std::span<const PreparedTrial> trials) {
         if (isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
-    return angle_rad.empty() ? Measurement::undefined(UndefinedReason::neverAtBend)
+    return angle_rad.empty() ? Measurement::undefined(reasons::kNeverAtBend)
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 
@@ -126,11 +127,11 @@ Measurement measureAdvanceWhileTurning(std::span<const PreparedTrial> trials) {
     double advance_m = 0.0;
     for (const PreparedTrial& trial : trials) {
         if (trial.tool->q_WT.size() != trial.tool->t_s.size())
-            return Measurement::undefined(UndefinedReason::noInsertionData);
+            return Measurement::undefined(reasons::kNoInsertionData);
         advance_m += TurningAdvance(*trial.trial).measure(reached);
     }
     return reached ? Measurement::of(core::mmFromM(advance_m))
-                   : Measurement::undefined(UndefinedReason::neverAtBend);
+                   : Measurement::undefined(reasons::kNeverAtBend);
 }
 
 Measurement measureTraumaEvents(std::span<const PreparedTrial> trials) {
@@ -195,7 +196,7 @@ Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
             ++asked;
             seen += std::isnan(seen_s) ? 0 : 1;
         }
-    return asked == 0 ? Measurement::undefined(UndefinedReason::noLandmarks)
+    return asked == 0 ? Measurement::undefined(reasons::kNoLandmarks)
                       : Measurement::of(100.0 * static_cast<double>(seen) / static_cast<double>(asked));
 }
 
@@ -236,8 +237,7 @@ Measurement measureInspectionTravel(std::span<const PreparedTrial> trials) {
     }
     if (any)
         return Measurement::of(core::mmFromM(travel_m));
-    return Measurement::undefined(asked ? UndefinedReason::inspectionNotReached
-                                        : UndefinedReason::noLandmarks);
+    return Measurement::undefined(asked ? reasons::kInspectionNotReached : reasons::kNoLandmarks);
 }
 
 Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_reasons.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
@@ -16,10 +17,10 @@ namespace chiron::scoring {
 /// not silently leave trials out.
 inline std::optional<Measurement> withoutCanal(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined(UndefinedReason::noTrials);
+        return Measurement::undefined(reasons::kNoTrials);
     for (const PreparedTrial& trial : trials)
         if (trial.tool == nullptr || !trial.trial->insertion)
-            return Measurement::undefined(UndefinedReason::noInsertionData);
+            return Measurement::undefined(reasons::kNoInsertionData);
     return std::nullopt;
 }
 
@@ -75,7 +76,7 @@ private:
 };
 
 inline Measurement neverInUrethra() {
-    return Measurement::undefined(UndefinedReason::neverInUrethra);
+    return Measurement::undefined(reasons::kNeverInUrethra);
 }
 
 } // namespace chiron::scoring
