@@ -170,7 +170,7 @@ void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
     QCOMPARE(told(), QString());
     QCOMPARE(labels[0]->text(), QStringLiteral("none up to × 10"));
     // What is assumed stands in the words beside the number, and every figure has its Monte Carlo error.
-    QVERIFY(!texts().filter(QStringLiteral("by two groups of 2 participants")).isEmpty());
+    QVERIFY(!texts().filter(QStringLiteral("and two groups of 2 participants")).isEmpty());
     int errors = 0;
     for (const QString& text : texts())
         errors += text.contains(QStringLiteral(" ± ")) ? 1 : 0;
