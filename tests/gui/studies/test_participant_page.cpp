@@ -341,7 +341,7 @@ void TestParticipantPage::aFurtherPartIsShort() {
     QVERIFY2(
         said("break.text")
             .startsWith(partText() +
-                        QStringLiteral("\n\nApart from this, you explore and answer as in the part before")),
+                        QStringLiteral("\n\nApart from this, you explore and answer as in the previous part")),
         qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
     tests::sittingButton(screen, "break.more")->click();
