@@ -5,8 +5,8 @@
 // lists are made from these lines, one in each library that has a part of an exercise, because none of these
 // libraries may link all others: session_catalogue.cpp (session), report_catalogue.cpp (session_report),
 // face_catalogue.cpp (desktop), flat_catalogue.cpp (scene3d) and scene_catalogue.cpp (the library with Qt3D).
-// Each of them includes the headers of the parts that it makes: a part that is missing there does not
-// compile. The lists of the floors below are curriculum/catalogue/exercise_contents.cpp (levels),
+// Each of them includes the headers of the parts that it makes; without one of them it does not compile. The
+// lists of the floors below are curriculum/catalogue/exercise_contents.cpp (levels),
 // curriculum/scoring/metric_catalogue.cpp (metrics) and modules/exercises/law_catalogue.cpp (laws).
 
 namespace chiron::simulation {
@@ -72,7 +72,7 @@ struct Parts {
     using Face = FaceOf;             ///< desktop::ExerciseFace: what screens show
     using Flat = FlatOf;             ///< scene3d::IFlatContent: the flat drawing
     using Stage = StageOf;           ///< scene3d::IStage: the drawing in 3D; void: there is none
-    using Content = ContentOf;       ///< scene3d::ISceneContent of a SceneStage; void: the stage has no other
+    using Content = ContentOf;       ///< scene3d::ISceneContent in a SceneStage; void: the stage needs none
 };
 
 struct SphereApex

@@ -62,7 +62,7 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
     // Without a serial number, the text is the same as before the field existed.
     if (!d.serialNumber.empty())
         json.insert("serial_number", QString::fromStdString(d.serialNumber));
-    // The same for samples as old as every device's were taken to be.
+    // Without an age, the text is the same as before the field existed, and the usual age applies.
     if (d.oldestSample_us != devices::kUsualOldestSample_us)
         json.insert("oldest_sample_us", static_cast<double>(d.oldestSample_us));
     return json;

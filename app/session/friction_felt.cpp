@@ -17,10 +17,10 @@ namespace {
 using core::Vec3;
 
 constexpr std::array<double, 6> kSpeeds_m_per_s{0.001, 0.010, 0.020, 0.050, 0.100, 0.150};
-/// At and above this speed, the compensation must reduce the friction felt by at least the fraction kTaken
-/// ...
+/// From this speed on, the compensation must reduce the friction felt by at least kTaken times the friction
+/// felt at the lowest speed.
 constexpr double kMoving_m_per_s = 0.045;
-constexpr double kTaken = 0.6;     ///< ... of the friction felt at the lowest speed
+constexpr double kTaken = 0.6;
 constexpr double kStill_N = 0.001; ///< a larger change is a push on a still hand
 constexpr double kArming_s = 3.0, kHeld_s = 2.0, kTurn_s = 0.5;
 constexpr double kSettling = 0.4; ///< fraction of a half that is left out at its start

@@ -44,8 +44,8 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
             session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
         if (!devices::hasForceMap(devices::findKinematics(mechanism), session.forceMap))
             return core::fail(core::ErrorCode::wrongUse,
-                              "force map " + session.forceMap + ": exercise " + session.exercise +
-                                  " is not done on the gimbal whose map it is; expected exact");
+                              "force map " + session.forceMap + ": mechanism " + std::string(mechanism) +
+                                  " of exercise " + session.exercise + " has no such map; expected exact");
         return scriptedStation(
             kind, level, session.operatorName, session.seed,
             {.mechanism = mechanism, .forceMap = session.forceMap, .mounting = session.mounting});

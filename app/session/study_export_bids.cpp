@@ -307,7 +307,8 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
                              "them apart (trials, answers, times, counts, values, orders, "
                              "procedures, forces and motion, the protocol itself) is left out.\n")
             : QStringLiteral("sourcedata/design.json is the frozen protocol. Where motion was recorded, its "
-                             "events are the presentations; objects of a study never give way.\n");
+                             "events are the presentations; they do not say where a lifted object was "
+                             "pressed so hard that it came off the tool.\n");
     const QJsonObject description{{"Name", english(data.design->title)},
                                   {"BIDSVersion", "1.9.0"},
                                   {"DatasetType", "raw"},

@@ -16,8 +16,8 @@ struct YieldLoad {
     double torque_Nm = 0.0;
 };
 
-/// The load under which tissue gave way: the larger of that tick's and of the one before, because the force
-/// begins to fall within the tick.
+/// The load under which tissue gave way: the larger one of the tick in which it did and of the tick before,
+/// because the force may already have begun to fall.
 class YieldLoads {
 public:
     /// Call it for each tool of each frame of a recording, in order. Does not allocate.

@@ -13,6 +13,8 @@
 #include "curriculum/exercises/urethra_insertion/scoring/canal_reasons.h"
 #include "scoring/metrics/metric_rows.h"
 
+#include <vector>
+
 namespace chiron::scoring {
 
 std::span<const MetricDefinition> metricCatalogue() {

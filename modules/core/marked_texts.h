@@ -2,6 +2,6 @@
 #pragma once
 
 /// Marks a text in code without Qt, so that lupdate finds it. Screens and printed reports show the text in
-/// the reader's language; the code that shows it translates it in the same context. It is spelled as Qt
-/// spells it, so that a file may read both definitions.
+/// the reader's language; the code that shows it translates it in the same context. The parameters have the
+/// same names as in Qt's own definition, so that a file may include both.
 #define QT_TRANSLATE_NOOP(scope, x) x

@@ -93,10 +93,10 @@ struct ForceMap {
     std::string_view name; ///< for people, marked with QT_TRANSLATE_NOOP in the context Drivers
 };
 
-/// Id of the way that conserves power. Every mechanism has it.
+/// Id of the force map that conserves power. Every mechanism has it.
 inline constexpr std::string_view kExactForceMap = "exact";
 
-/// The ways among which a session can choose. Static data.
+/// The force maps of a mechanism among which a session can choose. Static data.
 struct ForceMaps {
     std::string_view title;         ///< of the choice, for people; marked like ForceMap::name
     std::span<const ForceMap> maps; ///< the usual one, kExactForceMap, comes first

@@ -77,7 +77,7 @@ private:
     core::ToolWrenches m_held;
     std::array<core::ToolWrenches, kMostLate_ticks> m_earlier{}; ///< ring buffer of what was held before
     std::size_t m_oldest = 0;
-    bool m_heldAny = false; ///< since holdNothing()
+    bool m_heldAny = false; ///< hold() was called since the last holdNothing()
     double m_supplied_J = 0.0;
     double m_late_J = 0.0;
     double m_work_J = 0.0;

@@ -16,6 +16,7 @@
 #include <QSet>
 #include <QtTest>
 #include <algorithm>
+#include <array>
 #include <set>
 
 using namespace chiron;
@@ -61,7 +62,7 @@ private slots:
     void aReportHasOneSectionAtMost();
     void everyEndHasWords();
     void everyListHasEveryLine();
-    void everyMarkOfItsOwnHasWords();
+    void everyMarkHasWords();
     void rulesOfMomentsAreOfWhatThereIs();
 };
 
@@ -208,12 +209,17 @@ void TestExerciseFaces::everyListHasEveryLine() {
     QVERIFY(session_report::exerciseReporter("knitting") == nullptr);
 }
 
-/// The marks that an exercise adds are called by its own words, and no two kinds share an id.
-void TestExerciseFaces::everyMarkOfItsOwnHasWords() {
+/// Every exercise has words for the marks that all recordings can have, the marks that an exercise adds are
+/// called by its own words, and no two kinds share an id.
+void TestExerciseFaces::everyMarkHasWords() {
     using namespace session::mark_kinds;
-    std::set<std::string_view> ids{kMarked.id,   kTimedOut.id,     kContact.id,  kGrasped.id,
-                                   kReleased.id, kSlipped.id,      kDamaged.id,  kYielded.id,
-                                   kFailed.id,   kStageChanged.id, kCompleted.id};
+    const std::array shared{kTrialStarted, kMarked,  kTimedOut,     kTraceEnded, kContact, kOverLimit,
+                            kPaused,       kRearmed, kForceStopped, kGuard,      kFault,   kEnded,
+                            kCompleted,    kGrasped, kStageChanged, kReleased,   kSlipped, kDamaged,
+                            kYielded,      kFailed,  kLimited};
+    std::set<std::string_view> ids;
+    for (const session::PlaybackMarkKind& kind : shared)
+        QVERIFY2(ids.insert(kind.id).second, std::string(kind.id).c_str());
     const auto said = [](const session::PlaybackMarkKind& kind, std::string_view exercise) {
         session::PlaybackMark mark;
         mark.kind = kind;
@@ -223,6 +229,8 @@ void TestExerciseFaces::everyMarkOfItsOwnHasWords() {
     int own = 0;
     for (const session::ExerciseKind* kind : session::exerciseKinds()) {
         const session_report::ExerciseReporter& reporter = *session_report::exerciseReporter(kind->id());
+        for (const session::PlaybackMarkKind& each : shared)
+            QVERIFY2(!said(each, kind->id()).isEmpty(), std::string(each.id).c_str());
         for (const session_report::MarkWords& words : reporter.marks()) {
             ++own;
             const std::string which(words.kind.id);

@@ -185,7 +185,7 @@ void TestCliInstruments::theForceMapIsRefusedWhereItMeansNothing() {
     const CliRun fiveBar =
         cli({"train", "urethra_insertion", "--operator", "novice", "--force-map", "as-published"});
     QCOMPARE(fiveBar.exitCode, 2);
-    QVERIFY2(fiveBar.err.contains("urethra_insertion is not done on the gimbal"), fiveBar.err.constData());
+    QVERIFY2(fiveBar.err.contains("of exercise urethra_insertion has no such map"), fiveBar.err.constData());
     const CliRun played =
         cli({"train", "elastic_tube", "--operator", trace("map.csv", {0}), "--force-map", "as-published"});
     QCOMPARE(played.exitCode, 2);

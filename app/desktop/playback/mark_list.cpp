@@ -4,6 +4,7 @@
 #include "desktop/playback/mark_look.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
+#include "session_report/mark_words.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -58,7 +59,7 @@ void MarkList::fill() {
             continue;
         auto* item = new QListWidgetItem(
             m_theme.icon(markIcon(mark), markColour(mark.kind)),
-            tr("%1  %2").arg(m_moments.at(mark.t_s), markText(mark, m_exercise, m_locale)));
+            tr("%1  %2").arg(m_moments.at(mark.t_s), session_report::markText(mark, m_exercise, m_locale)));
         item->setData(Qt::UserRole, mark.t_s);
         m_list->addItem(item);
     }

@@ -3,13 +3,11 @@
 
 #include "desktop/theme/theme_colour.h"
 #include "session/playback_mark.h"
-#include "session_report/mark_words.h"
 
 #include <QString>
 
 namespace chiron::desktop {
 
-using session_report::markText;
 /// Icon (Breeze name) and colour of a mark.
 QString markIcon(const session::PlaybackMarkKind& kind);
 /// A critical error has the icon of an error, whatever its kind.

@@ -3,6 +3,7 @@
 
 #include "desktop/playback/mark_look.h"
 #include "desktop/playback/playback_clock.h"
+#include "session_report/mark_words.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -107,7 +108,7 @@ bool Scrubber::event(QEvent* event) {
     QString text = m_moments.at(timeAt(help->pos().x()));
     for (const session::PlaybackMark& mark : m_marks)
         if (std::abs(xOf(mark.t_s) - help->pos().x()) <= m_theme.px(6))
-            text += QLatin1Char('\n') + markText(mark, m_exercise, locale());
+            text += QLatin1Char('\n') + session_report::markText(mark, m_exercise, locale());
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }

@@ -17,8 +17,8 @@ constexpr int kTextWidth_px = 760;
 constexpr int kControlWidth_px = 216;
 constexpr int kControlGap_px = 12;
 
-/// Wide enough for the text and for all movements side by side. One gap more than there is between them makes
-/// up for lengths that are rounded at a scale.
+/// Wide enough for the text and for all movements side by side. This counts one gap more than there is, so
+/// that they still fit after lengths were scaled and rounded.
 int pageWidth_px(std::size_t controls) {
     return std::max(kTextWidth_px, static_cast<int>(controls) * (kControlWidth_px + kControlGap_px));
 }

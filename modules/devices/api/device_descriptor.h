@@ -36,8 +36,8 @@ inline constexpr double kMostFrictionCompensation = 0.8;
 /// shown.
 enum class DeviceClass { felt, shown };
 
-/// The age of samples for which every device was taken before descriptors stated it, and which a simulated
-/// mechanism may be given: 3 ticks.
+/// The age that applies to a device that states none, as before descriptors had one: 3 ticks, the longest
+/// delay that a simulated mechanism can be given.
 inline constexpr std::uint32_t kUsualOldestSample_us = 3000;
 
 /// Describes what a device is and can do. It is stored with each session, and the kinematics can be made from

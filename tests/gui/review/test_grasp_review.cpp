@@ -10,6 +10,7 @@
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "report/plot_view.h"
+#include "session_report/mark_words.h"
 
 #include <QtTest>
 #include <set>
@@ -298,9 +299,11 @@ private slots:
         for (const session::PlaybackMarkKind& kind : {kGrasped, kReleased, kSlipped, kDamaged, kFailed}) {
             session::PlaybackMark mark;
             mark.kind = kind;
-            QVERIFY(!markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()).isEmpty() &&
+            QVERIFY(!session_report::markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c())
+                         .isEmpty() &&
                     !markIcon(kind).isEmpty());
-            said.insert(markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()));
+            said.insert(
+                session_report::markText(mark, tubeSetup(TubeTask::hold).level.exercise, QLocale::c()));
         }
         QCOMPARE(said.size(), std::size_t(5));
         QVERIFY(session::isPenalty(kSlipped) && session::isPenalty(kDamaged) && session::isPenalty(kFailed));

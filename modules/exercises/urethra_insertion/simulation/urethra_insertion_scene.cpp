@@ -77,7 +77,7 @@ void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
         const ProcedureStep step = m_tracker.advance(
             {foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
         out.events |= step.stageChanged ? bits::kStageChanged : 0u;
-        out.events |= step.seenNow != 0 ? simulation::procedure_bits::kLandmarkSeen : 0u;
+        out.events |= step.seenNow != 0 ? procedure_bits::kLandmarkSeen : 0u;
     }
     if (m_tracker.stage() == core::ProcedureStage::completed)
         m_course.end(bits::kCompleted, out);
