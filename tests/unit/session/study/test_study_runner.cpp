@@ -102,6 +102,8 @@ void addRun(Site& site, const std::string& code, std::uint64_t seed) {
         if (!session::storeTrial(*site.fixture.database, site.actor, *trial))
             qFatal("not stored");
     }
+    if (!session::finishRun(*site.fixture.database, site.actor, *opened, *run))
+        qFatal("not finished");
 }
 
 bool warns(const psychophysics::GroupEstimate& group, const std::string& token) {
