@@ -37,13 +37,18 @@ class TrueGrip {
 public:
     void forget() { *this = {}; }
     bool mayAct() const { return m_held || m_unsure; }
-    void follow(const ComparisonParameters& p, const Vec3& ring, const core::ToolState& tool) {
+    bool holds() const { return m_held; }
+    /// `mayTake`: the tool holds no other object. Where it passes a ring and may not take it, it may have let
+    /// go of the other one a moment before.
+    void follow(const ComparisonParameters& p, const Vec3& ring, const core::ToolState& tool, bool mayTake) {
         const double away_m = (tool.p_WT - ring).norm();
         meet(away_m, p.hookReach_m);
         meet(away_m, p.hookLeave_m);
         if (!m_held) {
             m_awayFirst = m_awayFirst && away_m <= p.hookLeave_m;
-            if (!m_awayFirst && away_m <= p.hookReach_m)
+            const bool taken = !m_awayFirst && away_m <= p.hookReach_m;
+            m_unsure = m_unsure || (taken && !mayTake);
+            if (taken && mayTake)
                 take(tool.p_WT.z());
             return;
         }
@@ -103,7 +108,7 @@ public:
             if (isTube())
                 followTube(i, tool.p_WT);
             else if (objectsPresent(out))
-                m_grips[static_cast<std::size_t>(i)].follow(m_p, ringOf(i), tool);
+                m_grips[static_cast<std::size_t>(i)].follow(m_p, ringOf(i), tool, !holdsAny());
             else
                 m_grips[static_cast<std::size_t>(i)].forget();
     }
@@ -134,6 +139,7 @@ private:
             return m_mayHold[i] ? slackOf_m(place, p) : kNothing_m;
         return m_grips[i].mayAct() ? -1.0 : kNothing_m;
     }
+    bool holdsAny() const { return std::ranges::any_of(m_grips, &TrueGrip::holds); }
     bool isTube() const { return m_p.attribute == ComparedAttribute::stiffness; }
     Vec3 footOf(int place) const { return {simulation::placeX_m(m_p, place), 0.0, 0.0}; }
     Vec3 ringOf(int place) const { return footOf(place) + Vec3(0.0, 0.0, m_p.hookHeight_m); }

@@ -16,14 +16,14 @@ void ComparedObject::release() noexcept {
 }
 
 ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& v,
-                                         double mostDamping_Ns_per_m) noexcept {
+                                         double mostDamping_Ns_per_m, bool mayLift) noexcept {
     ComparedResponse out;
     if (!m_present) {
         out.surfacePoint = p;
         return out;
     }
     out = m_attribute == ComparedAttribute::stiffness ? pull(p, v, mostDamping_Ns_per_m)
-          : m_attribute == ComparedAttribute::mass    ? lift(p, v, mostDamping_Ns_per_m)
+          : m_attribute == ComparedAttribute::mass    ? lift(p, v, mostDamping_Ns_per_m, mayLift)
                                                       : press(p, v, mostDamping_Ns_per_m);
     m_touching = out.touching;
     out.held = m_held;
@@ -55,14 +55,14 @@ ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v,
     return out;
 }
 
-ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v,
-                                      double mostDamping_Ns_per_m) noexcept {
+ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m,
+                                      bool mayLift) noexcept {
     ComparedResponse out;
     out.surfacePoint = p;
     const double away_m = (p - ring()).norm();
     if (!m_held) {
         m_awayFirst = m_awayFirst && away_m <= m_leave_m;
-        if (m_awayFirst || away_m > m_reach_m)
+        if (m_awayFirst || away_m > m_reach_m || !mayLift)
             return out;
         m_held = true;
         m_lifted = m_pressed = false;

@@ -60,17 +60,19 @@ public:
     bool present() const noexcept { return m_present; }
     /// Out of contact, so that it can be changed unfelt.
     bool free() const noexcept { return !m_touching && !m_held; }
+    bool held() const noexcept { return m_held; } ///< by the tool
 
     /// Advances by one tick with the tool at `p`, moving with `v` (W, finite). `mostDamping_Ns_per_m` is the
-    /// tool's damping budget.
+    /// tool's damping budget. `mayLift`: the tool may take hold of an object to lift it.
     ComparedResponse respond(const core::Vec3& p, const core::Vec3& v,
-                             double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
+                             double mostDamping_Ns_per_m = kUnboundedDamping, bool mayLift = true) noexcept;
     /// Advances by one tick without a tool.
     void release() noexcept;
 
 private:
     ComparedResponse pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
-    ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m,
+                          bool mayLift) noexcept;
     ComparedResponse press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
     void yieldTo(ComparedResponse& pressed) noexcept;
     void comeOff() noexcept;

@@ -5,6 +5,7 @@
 #include "simulation/yield.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -69,6 +70,9 @@ struct ComparisonParameters {
     /// How hard an object may be pressed onto its bed beyond its weight (mass): the bed then gives way, and
     /// the object comes off the tool. By default never, as in sessions of earlier versions.
     YieldLaw yield;
+    /// A tool that holds an object takes no other one, so that the yield force bounds all that is felt. Not
+    /// so in sessions of earlier versions, which state no yield force.
+    bool liftsOne() const noexcept { return std::isfinite(yield.force_N); }
     std::vector<std::string> cues; ///< "object": the places are drawn, all alike
 };
 

@@ -6,6 +6,7 @@
 #include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
+#include <span>
 
 namespace chiron::simulation {
 
@@ -179,9 +180,12 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
                                              SceneOutput& out) noexcept {
     DampingBudget budget(mostDamping_Ns_per_m);
     ComparedResponse felt;
+    const std::span objects(m_objects.data(), static_cast<std::size_t>(m_parameters.places));
+    const auto holds = [&] { return std::ranges::any_of(objects, &ComparedObject::held); };
     double most_N = -1.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
-        const ComparedResponse response = m_objects[i].respond(tool.p_WT, tool.v_WT, budget.left_Ns_per_m());
+        const ComparedResponse response = m_objects[i].respond(tool.p_WT, tool.v_WT, budget.left_Ns_per_m(),
+                                                               !m_parameters.liftsOne() || !holds());
         budget.spend(response.damping_Ns_per_m);
         out.tissue.tools[0].force += response.force;
         out.storedEnergy_J += response.energy_J;

@@ -319,7 +319,7 @@ void TestPeople::importRoster() {
     const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))
                               ->findChild<QLabel*>(QStringLiteral("notice.text"))
                               ->text();
-    QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is no role")) &&
+    QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is not a role")) &&
                  words.contains(QStringLiteral("Line 4, column “password”: the password")),
              qPrintable(words));
     QVERIFY2(!words.contains(QStringLiteral("Line 3")), qPrintable(words)); // who has an account is no fault

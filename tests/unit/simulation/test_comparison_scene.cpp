@@ -38,6 +38,7 @@ private slots:
     void objectsWeighAsTheirValueSays();
     void anObjectComesOffWherePressedTooHard();
     void whatIsHeavyIsLiftedAllTheSame();
+    void aToolLiftsOneObject();
     void padsPushAlikeWhereTheyDoNotDiffer();
     void everyConstantOfAPadIsFelt();
     void controlsAreFaultsOfTheRendering();
@@ -195,6 +196,28 @@ void TestComparisonScene::whatIsHeavyIsLiftedAllTheSame() {
     QVERIFY(std::abs(heavy.d.force().z() + 2.0 * core::kStandardGravity) < 1e-9);
     QCOMPARE(heavy.yields, 0);
     QCOMPARE(heavy.d.quantity(q::kPlace), 1.0);
+}
+
+/// A tool that passes the ring of a second object while it holds a first does not take it as well. In
+/// sessions of earlier versions it did, and they replay so.
+void TestComparisonScene::aToolLiftsOneObject() {
+    for (const bool bounded : {false, true}) {
+        ComparisonParameters p = lossless(ComparedAttribute::mass);
+        p.exploreLimit_s = 0.0;
+        p.values = {{0.1, 0.1, 0.1}};
+        if (bounded)
+            p.yield.force_N = 12.0;
+        Taken hand(p);
+        hand.goTo(0.03, 0.3);
+        const double ring_m = hand.d.hook_m();
+        hand.d.moveTo(hand.d.at(1, ring_m + 0.03), 0.5);
+        hand.d.moveTo(hand.d.at(1, ring_m + p.hookReach_m - 0.0003),
+                      0.4); // not so far as to set the first down
+        hand.d.moveTo(hand.d.at(1, ring_m + 0.05), 0.5);
+        const double lifted_N = (bounded ? 1.0 : 2.0) * 0.1 * core::kStandardGravity;
+        QVERIFY2(std::abs(hand.d.force().z() + lifted_N) < 1e-9,
+                 qPrintable(QString::number(hand.d.force().z())));
+    }
 }
 
 /// Where a smallest force is asked for an object counts from exactly that force on; where none is, as before,
