@@ -359,7 +359,7 @@ void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
     QVERIFY(desk.find<QTableWidget>(QStringLiteral("roster.people"))
                 ->item(1, 1)
                 ->toolTip()
-                .contains(QStringLiteral("\"Famulant\" is no role")));
+                .contains(QStringLiteral("\"Famulant\" is not a role")));
     QVERIFY(!desk.isEnabled("roster.accept"));
     QVERIFY(desk.find<QFrame>(QStringLiteral("roster.problems"))
                 ->findChild<QLabel*>(QStringLiteral("notice.text"))

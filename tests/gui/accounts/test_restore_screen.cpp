@@ -153,8 +153,10 @@ void TestRestoreScreen::isMadeAsItWas() {
         else
             QTRY_COMPARE_WITH_TIMEOUT(lost.find<QLabel>("state.title")->text(),
                                       QStringLiteral("No backup was found"), kPatience_ms);
-        different << kept.differs(backup ? QStringLiteral("a backup") : QStringLiteral("no backup"),
-                                  ScreenOutline::of(*lost.window->screen()));
+        // Whether the last column fills the table depends on how wide the digits of the time are.
+        const QStringList outline = ScreenOutline::of(*lost.window->screen())
+                                        .replaceInStrings(QStringLiteral(" fills the last"), QString());
+        different << kept.differs(backup ? QStringLiteral("a backup") : QStringLiteral("no backup"), outline);
     }
     different.removeAll(QString());
     QVERIFY2(different.isEmpty(), qPrintable(different.join(QLatin1Char('\n'))));

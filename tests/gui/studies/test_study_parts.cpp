@@ -25,6 +25,7 @@
 #include "session_report/study_warning_words.h"
 #include "support/made_study.h"
 #include "support/painted_shapes.h"
+#include "support/patience.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -555,7 +556,8 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
     QCOMPARE(taken, 300.0);
     const auto* fault = grid->findChild<QWidget*>(QStringLiteral("reference.fault"));
     QVERIFY(fault);
-    QTRY_VERIFY(fault->mapTo(&page, QPoint()).y() > field->mapTo(&page, QPoint()).y()); // below its field
+    QTRY_VERIFY_WITH_TIMEOUT(fault->mapTo(&page, QPoint()).y() > field->mapTo(&page, QPoint()).y(),
+                             tests::kPatience_ms); // below its field
     auto* large = grid->number(QStringLiteral("Large"), QStringLiteral("large"), 1.0, {0, 1.5e6, 0, {}, 1},
                                [](double) {});
     typeInto(large, QStringLiteral("2000000"));
