@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's own results: the curve, the attempts, a copy of their data.
-#include "desktop/plots/plot_theme_of.h"
 #include "desktop/playback/playback_data.h"
+#include "desktop/plots/plot_theme_of.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_screen.h"
 #include "report/plot_view.h"

@@ -338,11 +338,11 @@ void TestParticipantPage::aFurtherPartIsShort() {
     QVERIFY(screen && !screen->live()->view().firstPart);
     QCOMPARE(said("break.title"), QStringLiteral("The next part"));
     QVERIFY(partText() != first);
-    QVERIFY2(
-        said("break.text")
-            .startsWith(partText() +
-                        QStringLiteral("\n\nApart from this, you explore and answer as in the previous part")),
-        qPrintable(said("break.text")));
+    QVERIFY2(said("break.text")
+                 .startsWith(
+                     partText() +
+                     QStringLiteral("\n\nApart from this, you explore and answer as in the previous part")),
+             qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
     tests::sittingButton(screen, "break.more")->click();
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) &&

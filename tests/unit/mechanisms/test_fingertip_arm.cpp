@@ -376,8 +376,9 @@ void TestFingertipArm::imuTakesNoPeriodForEveryTick() {
             const Quat q = mechanisms::turned(Quat::Identity(), {0.002 * n, 0.0, 0.001 * n});
             for (AttitudeSensor* one : {&a, &b})
                 one->tick(q, {2.0, 0.0, 1.0}, {0.1, 0.0, -0.2});
-            different = different || a.counts() != b.counts() || a.attitude().coeffs() != b.attitude().coeffs() ||
-                      a.rate_T() != b.rate_T() || a.acceleration_T() != b.acceleration_T();
+            different = different || a.counts() != b.counts() ||
+                        a.attitude().coeffs() != b.attitude().coeffs() || a.rate_T() != b.rate_T() ||
+                        a.acceleration_T() != b.acceleration_T();
         }
         return different;
     };
