@@ -207,26 +207,26 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
 core::Result<CommandOutput> check(const Arguments& arguments) {
     CHIRON_TRY(refuseOtherDrivers(arguments.value(QStringLiteral("driver"))));
     const QString fingertip = QStringLiteral("fingertip_arm");
-    const auto mechanism =
-        arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
+    const QString gimbal = QStringLiteral("gimbal_hprd");
+    const auto mechanism = arguments.choice(QStringLiteral("mechanism"), {fingertip, gimbal}, fingertip);
     // models.md: the default B of a wall.
     const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0);
     CHIRON_TRY(mechanism);
     CHIRON_TRY(damping);
     const auto sampleDelay = arguments.integer(QStringLiteral("sample-delay"), 0, 3, 0);
     CHIRON_TRY(sampleDelay);
+    const auto isOnlyFor = [&](const QString& option, const QString& expected) {
+        return wrongUse(QStringLiteral("--%1: means nothing with --mechanism %2; expected it with %3 alone")
+                            .arg(option, *mechanism, expected));
+    };
     if (*mechanism == fingertip && arguments.has(QStringLiteral("sample-delay")))
-        return wrongUse(QStringLiteral("--sample-delay: means nothing with --mechanism fingertip_arm; "
-                                       "expected it with gimbal_hprd alone"));
+        return isOnlyFor(QStringLiteral("sample-delay"), gimbal);
     if (*mechanism == fingertip)
         return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping)
                                                                                   : std::nullopt);
     for (const char* option : {"seed", "frequency", "poses", "degrade", "series"})
         if (arguments.has(QString::fromLatin1(option)))
-            return wrongUse(
-                QStringLiteral(
-                    "--%1: means nothing with --mechanism gimbal_hprd; expected it with fingertip_arm alone")
-                    .arg(QLatin1String(option)));
+            return isOnlyFor(QLatin1String(option), fingertip);
     return checkGimbal(*damping, static_cast<int>(*sampleDelay));
 }
 

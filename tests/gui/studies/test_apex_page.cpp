@@ -3,7 +3,7 @@
 // CHIRON_KEEP_PICTURES=<folder> keeps pictures of both.
 #include "desktop/study_data/study_data_screen.h"
 #include "report/plot_view.h"
-#include "session/study/study_runner.h"
+#include "session/study/mark_sessions.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"
 #include "support/languages.h"
@@ -29,13 +29,12 @@ private slots:
         m_site = std::make_unique<DesktopFixture>();
         tests::applyLook(*m_site);
         m_site->logIn("rhea");
-        const psychophysics::StudyDesign design = tests::apexStudy("apex_small", 10);
         const database::Actor rhea = m_site->actor("rhea");
-        m_study = tests::addDraft(*m_site, rhea, design);
+        m_study = tests::addDraft(*m_site, rhea, m_design);
         tests::writeAs(*m_site, rhea,
                        [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
         m_person =
-            QString::fromStdString(tests::addParticipant(*m_site, rhea, m_study, design, "somebody").code);
+            QString::fromStdString(tests::addParticipant(*m_site, rhea, m_study, m_design, "somebody").code);
     }
     void cleanupTestCase() { m_site.reset(); }
 
@@ -110,17 +109,35 @@ private:
         m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}});
         QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
+    /// Marks of seeds of their own: those that the runner draws follow a participant's code, which is another
+    /// each time.
     void addRuns(int people) {
         const database::Actor rhea = m_site->actor("rhea");
-        for (int person = 0; person < people; ++person) {
-            session::StudyRunRequest request;
-            request.study = m_study;
-            request.participantCode = tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
-                                          return studies.enrolParticipant(m_study, {}, 0, "weber:0.1");
-                                      })->code;
-            request.quick = true;
-            const auto run = session::runStudyHeadless(m_site->database(), rhea, request);
-            QVERIFY2(run, run ? "" : run.error().message.c_str());
+        const std::string condition = m_design.conditions.front().id;
+        const double radius_m = m_design.conditions.front().stimulus.reference;
+        for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(people); ++seed) {
+            const auto participant = tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+                return studies.enrolParticipant(m_study, {}, 0, "weber:0.1");
+            });
+            auto progress = session::StudyProgress::begin(m_design, condition, seed);
+            QVERIFY2(progress, progress ? "" : progress.error().message.c_str());
+            const database::StudyRunNumber run =
+                *tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+                    return studies.beginRun({participant->id, condition, 0, seed, progress->procedureIds()});
+                });
+            while (!progress->done()) {
+                if (progress->breakDue())
+                    progress->breakTaken();
+                auto trial = progress->record(session::plannedMark(radius_m, seed, progress->next().ordinal));
+                QVERIFY2(trial, trial ? "" : trial.error().message.c_str());
+                trial->run = run;
+                tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+                    return studies.storeStudyTrial(*trial);
+                });
+            }
+            tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+                return studies.finishRun(run, database::StudyRunState::completed);
+            });
         }
     }
     void keep(const char* name) {
@@ -141,6 +158,7 @@ private:
     }
 
     std::unique_ptr<DesktopFixture> m_site;
+    const psychophysics::StudyDesign m_design = tests::apexStudy("apex_small", 10);
     database::StudyNumber m_study = 0;
     QString m_person;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_apex_page.txt")};

@@ -470,7 +470,7 @@ void TestParticipantPage::aTrialThatDoesNotCountIsTold() {
         QTRY_COMPARE_WITH_TIMEOUT(screen->live()->numbers().spoiled, 1, kPatience_ms);
         QVERIFY(canAnswer(screen));
         const QString expected =
-            QStringLiteral("The last trial did not count. The experimenter took it out. ") +
+            QStringLiteral("The last trial did not count. The experimenter discarded it. ") +
             (list ? QStringLiteral("It comes again later.") : QStringLiteral("The same objects come again."));
         QTRY_COMPARE_WITH_TIMEOUT(said(screen, "trials.repeated"), expected, kPatience_ms);
         QVERIFY(said(screen, "trials.strip").startsWith(QStringLiteral("Trial 1 of")));

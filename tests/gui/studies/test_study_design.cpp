@@ -988,7 +988,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
           "1.00 N/m to 20,000 N/m"); // above all that can be rendered
     right("condition.reference", QStringLiteral("300"));
     wrong("condition.id", QStringLiteral("Two Words"), "lower-case");
-    wrong("condition.id", QStringLiteral("mass"), "twice"); // the other condition's
+    wrong("condition.id", QStringLiteral("mass"), "already used"); // by the other condition
     right("condition.id", QStringLiteral("tube"));
     // From another page the button above all of them leads to the first.
     screen()->draft().change(
@@ -1046,6 +1046,7 @@ void TestStudyDesign::aReferenceTakesNobodysName() {
     openDraft(study, StudyScreen::conditionsTab);
     click("conditions.1");
     QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), 1, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QDoubleSpinBox>("condition.reference"), kPatience_ms);
     shown<QDoubleSpinBox>("condition.reference")->setValue(450.0); // at once
     QCOMPARE(design().conditions[1].title.at("en"), std::string("Tube of 450 N/m (2)"));
     QCOMPARE(design().conditions[1].id, std::string("tube_450_2"));

@@ -39,10 +39,10 @@ constexpr Exception kExceptions[]{
      "an exercise says in its own folder on which mechanisms its operators know how to work"},
     {"app/cli/device_check.cpp", "fingertip_arm", 1,
      "the output of a verification names the mechanism that was verified"},
-    {"app/cli/commands/device_commands.cpp", "fingertip_arm", 3,
+    {"app/cli/commands/device_commands.cpp", "fingertip_arm", 2,
      "a verification is the protocol of one published mechanism; the option chooses between the two there "
      "are"},
-    {"app/cli/commands/device_commands.cpp", "gimbal_hprd", 5,
+    {"app/cli/commands/device_commands.cpp", "gimbal_hprd", 4,
      "a verification is the protocol of one published mechanism; the option chooses between the two there "
      "are"},
 };
