@@ -23,7 +23,7 @@
 using chiron::tests::kPatience_ms;
 
 using namespace chiron;
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 using tests::madeTrack;
 
 namespace {

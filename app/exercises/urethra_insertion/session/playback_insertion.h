@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
-#include "scoring/trace.h"
 #include "session/playback_track.h"
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct PlaybackInsertionMoment {
     double depth_m = std::numeric_limits<double>::quiet_NaN();
     double offset_m = std::numeric_limits<double>::quiet_NaN();
     double alignment_rad = std::numeric_limits<double>::quiet_NaN();
-    core::ProcedureStage stage = core::ProcedureStage::outside;
+    simulation::ProcedureStage stage = simulation::ProcedureStage::outside;
 };
 
 /// The course of an endoscope through a canal over a track's time: the exercise-specific data of the track
