@@ -76,11 +76,13 @@ void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
     for (const PlaybackMoment& moment : track.moments)
         times_s.push_back(moment.t_s);
     auto own = std::make_shared<PlaybackInsertion>(playbackInsertionOf(trace, times_s));
-    track.canal = {};
+    PlaybackQuantity offset{std::string(kOffsetSeries), "m", {}},
+        alignment{std::string(kAlignmentSeries), "rad", {}};
     for (const PlaybackInsertionMoment& moment : own->moments) {
-        track.canal.offset_m.push_back(moment.offset_m);
-        track.canal.alignment_rad.push_back(moment.alignment_rad);
+        offset.values.push_back(moment.offset_m);
+        alignment.values.push_back(moment.alignment_rad);
     }
+    track.derived = {std::move(offset), std::move(alignment)};
     track.own = std::move(own);
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace chiron::session {
@@ -44,8 +45,13 @@ struct PlaybackInsertion final : PlaybackOfExercise {
 /// sample holds nothing, one after its last sample that sample's stage. Pure function.
 PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::span<const double> times_s);
 
-/// Adds the insertion data to a track that has moments, as its exercise-specific data and as its canal. Does
-/// nothing if no trial has a series, because the device could not be turned or no trial was started.
+/// The ids of the series that addInsertion() derives: the tip's distance from the centre-line, and the angle
+/// between endoscope and canal.
+inline constexpr std::string_view kOffsetSeries = "offset_m";
+inline constexpr std::string_view kAlignmentSeries = "alignment_rad";
+
+/// Adds the insertion data to a track that has moments, as its exercise-specific data and as derived series.
+/// Does nothing if no trial has a series, because the device could not be turned or no trial was started.
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace);
 
 /// The insertion data at a time of the track, clamped to it; empty if the track has none.
