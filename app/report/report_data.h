@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace chiron::report {
@@ -66,15 +69,28 @@ struct CriticalError {
     QString words; ///< the error with its size: "The tissue gave way at 8.00 N"
 };
 
+/// A series that the exercise derives from the samples, SI; NaN outside of a trial.
+struct DerivedSeries {
+    std::string id; ///< with its unit: "offset_m"
+    std::vector<double> values;
+};
+
 /// The samples of a session (or of one trial) for plots, for up to four tools.
 struct SampleSeries {
     std::vector<double> t_s; ///< ascending
     std::vector<ToolSamples> tools;
-    std::vector<double> offset_mm;     ///< of tool 0 from a canal's centre-line; empty if there is none
-    std::vector<double> alignment_deg; ///< between that instrument and the canal; empty if there is none
-    std::vector<TimeSpan> paused;      ///< hatched; excluded from every metric
+    std::vector<DerivedSeries> derived;
+    std::vector<TimeSpan> paused; ///< hatched; excluded from every metric
     std::vector<TimedEvent> events;
     std::vector<CriticalError> criticalErrors; ///< ordered by time
+
+    /// The values of the derived series with this id; empty if there is none.
+    std::span<const double> derivedValues(std::string_view id) const noexcept {
+        for (const DerivedSeries& series : derived)
+            if (series.id == id)
+                return series.values;
+        return {};
+    }
 };
 
 /// The statistics of the haptic loop, as stored with the session.

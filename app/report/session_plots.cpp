@@ -209,19 +209,14 @@ std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme&
     return view;
 }
 
-std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Distance from the middle of the canal"),
-                         {Words::tr("Off-centre (mm)"), 0.0, {}}, series, theme);
-    view->addLine(Words::tr("off-centre"), series.t_s, series.offset_mm, PlotStyle::solidA);
-    finish(*view, series, series.t_s.empty() || series.offset_mm.empty());
-    return view;
-}
-
-std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Angle between endoscope and canal"),
-                         {Words::tr("Alignment (°)"), 0.0, {}}, series, theme);
-    view->addLine(Words::tr("alignment"), series.t_s, series.alignment_deg, PlotStyle::solidA);
-    finish(*view, series, series.t_s.empty() || series.alignment_deg.empty());
+std::unique_ptr<PlotView> derivedPlot(const SampleSeries& series, std::string_view id, double factor,
+                                      const DerivedWords& words, const PlotTheme& theme) {
+    std::vector<double> values;
+    for (const double value : series.derivedValues(id))
+        values.push_back(factor * value);
+    auto view = timePlot(words.title, {words.axis, 0.0, {}}, series, theme);
+    view->addLine(words.line, series.t_s, values, PlotStyle::solidA);
+    finish(*view, series, series.t_s.empty() || values.empty());
     return view;
 }
 

@@ -5,6 +5,7 @@
 #include "report/report_data.h"
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace chiron::report {
@@ -26,9 +27,15 @@ std::unique_ptr<PlotView> feltForcePlot(const SampleSeries& series, double limit
 std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N,
                                             const PlotTheme& theme);
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme);
-/// An endoscope in its canal over time: the distance from the centre-line, and the angle to it.
-std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme);
-std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme);
+/// How a plot of a derived series is called.
+struct DerivedWords {
+    QString title;
+    QString axis; ///< with the unit
+    QString line;
+};
+/// The derived series with this id over time, times `factor`.
+std::unique_ptr<PlotView> derivedPlot(const SampleSeries& series, std::string_view id, double factor,
+                                      const DerivedWords& words, const PlotTheme& theme);
 /// One column per operator: its sessions as points with mean ± SD beside them, and the reference as a line.
 std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotTheme& theme);
 

@@ -39,12 +39,4 @@ std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
     return ids;
 }
 
-std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind,
-                                                   const catalogue::ExerciseLevel& level) {
-    std::vector<devices::WorkspaceMapping> places;
-    for (int tool = 0; tool < kind.toolCount(level); ++tool)
-        places.push_back(kind.toolPlace(level, tool));
-    return places;
-}
-
 } // namespace chiron::session

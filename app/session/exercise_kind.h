@@ -33,11 +33,6 @@ namespace chiron::psychophysics {
 struct Condition;
 }
 
-namespace chiron::scoring {
-struct TraceColumns;
-struct TraceRow;
-} // namespace chiron::scoring
-
 namespace chiron::session {
 
 class AnswerEvents;
@@ -72,6 +67,17 @@ using PointerTool = devices::ToolShape;
 struct FingersOfHand {
     int perHand = 1;
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
+    /// The largest opening of a hand's jaw, if its tool is a point with a jaw (mouse and keyboard); 0: no
+    /// jaw.
+    double widestJaw_rad = 0.0;
+};
+
+/// What a scripted operator holds.
+struct HeldDevices {
+    std::string_view mechanism; ///< kinematics id, one of ExerciseKind::mechanisms()
+    /// The positions of the bases in W, one per tool. Other than those of toolPlace() only if
+    /// operatorsKnowTheirPlace().
+    std::span<const devices::WorkspaceMapping> places;
 };
 
 /// A metric whose value a level limits: by a pass mark, and by a limit of the level itself if it has one.
@@ -115,15 +121,13 @@ public:
     virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
     /// Only for exercises whose mechanism is "fingertip_arm".
     virtual FingersOfHand fingers(const catalogue::ExerciseLevel&) const { return {}; }
-    /// The largest opening of a hand's jaw, rad, if its tool is a point with a jaw (mouse and keyboard); 0:
-    /// no jaw.
-    virtual double fingerJaw_rad(const catalogue::ExerciseLevel&) const { return 0.0; }
     /// The default position of an instrument's device base in W: its entry point in the abdominal wall.
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
-    /// The height above W's origin at which a pointer's tool starts over this point of W, metres, if the
-    /// exercise needs no search on the way down; empty: the driver's own starting height.
-    virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double /*x_m*/,
-                                                 double /*y_m*/) const {
+    /// Where the tip of a tool whose workspace is at `place` starts, m, W: for mouse and keyboard, and for a
+    /// simulated mechanism that holds an endoscope. Of a point only the height counts. Empty: the driver's
+    /// own start.
+    virtual std::optional<core::Vec3> toolStart_W(const catalogue::ExerciseLevel&,
+                                                  const devices::WorkspaceMapping& /*place*/) const {
         return {};
     }
     /// The scene's values in `SceneOutput::quantities`, in this order; they are recorded with the session. At
@@ -137,9 +141,6 @@ public:
     /// The way in which mouse and keyboard move the tool: as a point, or as an endoscope that is advanced
     /// along its axis and turned.
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
-    /// The starting position of an endoscope's tip, m, W, for mouse and keyboard and for a simulated
-    /// mechanism that holds one.
-    virtual core::Vec3 endoscopeStart_W() const noexcept { return core::Vec3::Zero(); }
     /// Makes the scene only from data stored with the session, including those of its devices, so that a
     /// replay makes the same scene.
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
@@ -148,21 +149,8 @@ public:
     /// Makes a scripted operator.
     /// Errors: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level,
-                                                       const std::string& name, std::uint64_t seed) const = 0;
-    /// The same on a given mechanism of mechanisms(), for exercises in which this makes a difference.
-    virtual core::Result<ScriptedTrainee> makeOperatorOn(std::string_view,
-                                                         const catalogue::ExerciseLevel& level,
-                                                         const std::string& name, std::uint64_t seed) const {
-        return makeOperator(level, name, seed);
-    }
-    /// The same with device bases at other positions than those of toolPlace(), one per tool; only if
-    /// operatorsKnowTheirPlace().
-    virtual core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping>,
-                                                         std::string_view mechanism,
-                                                         const catalogue::ExerciseLevel& level,
-                                                         const std::string& name, std::uint64_t seed) const {
-        return makeOperatorOn(mechanism, level, name, seed);
-    }
+                                                       const std::string& name, std::uint64_t seed,
+                                                       const HeldDevices& held) const = 0;
     /// True if its scripted hands convert targets from W to D, so that a device's base can be mounted
     /// anywhere. Otherwise they assume that D equals W.
     virtual bool operatorsKnowTheirPlace() const noexcept { return false; }
@@ -200,13 +188,6 @@ public:
                                  AnswerEvents&) const {}
     /// Adds truth to the stored data of a trial, in addition to TrialTrace::truth.
     virtual void storeTruth(const scoring::TrialTrace&, QJsonObject& /*truth*/) const {}
-    /// The columns that an exported trace has for this exercise, in addition to the quantities and
-    /// TrialTrace::truth.
-    virtual void addColumns(std::span<const scoring::TrialTrace>, scoring::TraceColumns&) const {}
-    /// Fills the columns that describe the whole trial ...
-    virtual void fillRowOfTrial(const scoring::TrialTrace&, scoring::TraceRow&) const {}
-    /// ... and those of the sample of this row (its tool and time are set), which lies within the trial.
-    virtual void fillRowOfSample(const scoring::TrialTrace&, scoring::TraceRow&) const {}
     /// Who does this level in the demonstration site.
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
     /// The content that the demonstration site shows of it: columns of its table, a picture of its operators,
@@ -222,10 +203,6 @@ public:
     /// condition.
     virtual const MarkSessions* markSessions(const psychophysics::Condition&) const { return nullptr; }
 };
-
-/// The default positions of the bases of a level's tools.
-std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind,
-                                                   const catalogue::ExerciseLevel& level);
 
 /// All exercises that can be run, including those used only by studies.
 std::span<const ExerciseKind* const> exerciseKinds();

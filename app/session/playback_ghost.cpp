@@ -40,15 +40,16 @@ std::optional<GhostTool> ghostAt(const PlaybackTrack& track, const PlaybackTrack
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     GhostSeries series;
-    const auto push = [&](double t_s, double tissue_N, double speed_m_per_s, double offset_m,
-                          double alignment_rad) {
+    for (const PlaybackQuantity& derived : ghost.derived)
+        series.derived.push_back({derived.id, derived.unit, {}});
+    /// `moment`: of the ghost; empty: a gap.
+    const auto push = [&](double t_s, double tissue_N, double speed_m_per_s,
+                          std::optional<std::size_t> moment) {
         series.t_s.push_back(t_s);
         series.tissue_N.push_back(tissue_N);
         series.speed_m_per_s.push_back(speed_m_per_s);
-        if (ghost.canal.empty())
-            return;
-        series.offset_m.push_back(offset_m);
-        series.alignment_rad.push_back(alignment_rad);
+        for (std::size_t k = 0; k < ghost.derived.size(); ++k)
+            series.derived[k].values.push_back(moment ? ghost.derived[k].values[*moment] : kGap);
     };
     for (std::size_t k = 0; k < track.trials.size(); ++k) {
         const PlaybackTrial& mine = track.trials[k];
@@ -64,12 +65,10 @@ GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) 
                 continue;
             if (own_s > its->end_s || t_s > until_s)
                 break;
-            push(t_s, ghost.tool(i, 0).tissue_N.norm(), ghost.tool(i, 0).speed_m_per_s,
-                 ghost.canal.empty() ? kGap : ghost.canal.offset_m[i],
-                 ghost.canal.empty() ? kGap : ghost.canal.alignment_rad[i]);
+            push(t_s, ghost.tool(i, 0).tissue_N.norm(), ghost.tool(i, 0).speed_m_per_s, i);
             last_s = t_s;
         }
-        push(last_s, kGap, kGap, kGap, kGap);
+        push(last_s, kGap, kGap, std::nullopt);
     }
     return series;
 }

@@ -25,8 +25,7 @@ struct GhostSeries {
     std::vector<double> t_s;
     std::vector<double> tissue_N;
     std::vector<double> speed_m_per_s;
-    std::vector<double> offset_m;      ///< empty without an endoscope
-    std::vector<double> alignment_rad; ///< empty without an endoscope
+    std::vector<PlaybackQuantity> derived; ///< PlaybackTrack::derived
 };
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost);
 

@@ -79,10 +79,22 @@ bool PlaybackTrack::pausedAt(double t_s) const noexcept {
                        [t_s](const PlaybackSpan& span) { return t_s >= span.begin_s && t_s <= span.end_s; });
 }
 
-const PlaybackQuantity* PlaybackTrack::quantity(std::string_view id) const noexcept {
+namespace {
+
+const PlaybackQuantity* findIn(const std::vector<PlaybackQuantity>& list, std::string_view id) noexcept {
     const auto found =
-        std::find_if(quantities.begin(), quantities.end(), [id](const auto& each) { return each.id == id; });
-    return found == quantities.end() ? nullptr : &*found;
+        std::find_if(list.begin(), list.end(), [id](const auto& each) { return each.id == id; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const PlaybackQuantity* PlaybackTrack::quantity(std::string_view id) const noexcept {
+    return findIn(quantities, id);
+}
+
+const PlaybackQuantity* PlaybackTrack::derivedSeries(std::string_view id) const noexcept {
+    return findIn(derived, id);
 }
 
 } // namespace chiron::session

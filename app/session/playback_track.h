@@ -68,14 +68,6 @@ struct PlaybackPeak {
     std::string unit;
 };
 
-/// The position of an instrument in a canal, one value per moment of the track, NaN outside of a trial. Empty
-/// if there is no canal or the recording has no orientation.
-struct PlaybackCanal {
-    std::vector<double> offset_m;      ///< of the tip from the centre-line
-    std::vector<double> alignment_rad; ///< between instrument and centre-line
-    bool empty() const noexcept { return offset_m.empty(); }
-};
-
 /// Data that an exercise derives from a whole recording for its own screens and reports. They never change
 /// once they are in a track, because copies of the track share them.
 class PlaybackOfExercise {
@@ -89,7 +81,8 @@ protected:
 };
 
 /// One of the recorded quantities of the scene (ExerciseKind::quantities, and "energy_supplied_J",
-/// "energy_stored_J" if the energy balance was recorded), at each moment of the track.
+/// "energy_stored_J" if the energy balance was recorded), or a series derived from the recording, at each
+/// moment of the track.
 struct PlaybackQuantity {
     std::string id;
     std::string unit;           ///< SI
@@ -132,7 +125,9 @@ public:
     std::vector<PlaybackPeak> peaks;          ///< of the metrics for which the exercise provides them
     std::vector<PlaybackQuantity> quantities; ///< those that were recorded
     double duration_s = 0.0;                  ///< device time of the last frame
-    PlaybackCanal canal;
+    /// Series that the exercise derives from the recording, with a value for each moment, NaN outside of a
+    /// trial; none if the recording does not contain what they need.
+    std::vector<PlaybackQuantity> derived;
     /// Null if the exercise has no data of its own, or the recording does not contain them.
     std::shared_ptr<const PlaybackOfExercise> own;
 
@@ -156,6 +151,7 @@ public:
     std::uint64_t tickAt(double t_s) const noexcept;
     bool pausedAt(double t_s) const noexcept;
     const PlaybackQuantity* quantity(std::string_view id) const noexcept; ///< null if it was not recorded
+    const PlaybackQuantity* derivedSeries(std::string_view id) const noexcept; ///< null if there is none
 };
 
 } // namespace chiron::session

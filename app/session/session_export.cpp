@@ -7,7 +7,6 @@
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
 #include "session/device_time.h"
-#include "session/exercise_kind.h"
 #include "session/trace_assembler.h"
 
 #include <QJsonArray>
@@ -39,9 +38,9 @@ core::Vec3 torqueOf(const core::Array6& wrench) {
 /// samples.
 class RowMaker {
 public:
-    RowMaker(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials,
+    RowMaker(SessionView& session, const std::vector<scoring::TrialTrace>& trials,
              const scoring::TraceColumns& columns)
-        : m_session(session), m_kind(kind), m_columns(columns), m_quantities(session.reader().table()) {
+        : m_session(session), m_columns(columns), m_quantities(session.reader().table()) {
         for (const scoring::TrialTrace& trial : trials)
             m_trials[trial.trial] = &trial;
     }
@@ -93,11 +92,11 @@ private:
         const bool known = found != m_trials.end();
         // Samples between trials belong to no trial; their columns hold values that a reader accepts.
         const scoring::TrialTrace& trial = known ? *found->second : *m_trials.begin()->second;
-        m_kind.fillRowOfTrial(trial, row);
+        scoring::setTrial(row, trial, m_columns);
         row.truth = scoring::truthOf(trial, m_columns.truth);
         if (!known)
             return;
-        m_kind.fillRowOfSample(trial, row);
+        setOwnSample(row, trial);
         row.marked = trial.marked;
         row.timedOut = trial.timedOut;
         row.completed = trial.completed;
@@ -107,8 +106,17 @@ private:
         row.p_WMark_m = trial.p_WMark_m;
     }
 
+    /// Finds the sample by its time: the exercise's own part has a value for each sample that is scored.
+    static void setOwnSample(scoring::TraceRow& row, const scoring::TrialTrace& trial) {
+        if (!trial.own || row.tool != 0 || trial.tools.empty())
+            return;
+        const std::vector<double>& t_s = trial.tools.front().t_s;
+        const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
+        if (sample != t_s.end() && *sample == row.t_s)
+            scoring::setSample(row, trial, static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
+    }
+
     SessionView& m_session;
-    const ExerciseKind& m_kind;
     const scoring::TraceColumns& m_columns;
     RecordedQuantities m_quantities;
     std::map<int, const scoring::TrialTrace*> m_trials;
@@ -116,8 +124,22 @@ private:
     DeviceTime m_time;
 };
 
-scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind,
-                                const std::vector<scoring::TrialTrace>& trials) {
+/// Those that the trials' targets and the exercise's own part have.
+void addColumns(scoring::TraceColumns& columns, const std::vector<scoring::TrialTrace>& trials) {
+    if (trials.empty())
+        return;
+    const scoring::TrialTrace& first = trials.front();
+    columns.target = first.target.has_value();
+    if (!first.own)
+        return;
+    columns.own = &first.own->columns();
+    if (columns.own->required != nullptr)
+        columns.*columns.own->required = true;
+    if (columns.own->withTorque)
+        columns.torque = !first.tools.empty() && !first.tools[0].tissueTorque_Nm.empty();
+}
+
+scoring::TraceColumns columnsOf(SessionView& session, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
     columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact =
@@ -133,7 +155,7 @@ scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind,
     // In exercises with quantities, a trial can end in more than one way.
     columns.failed = quantities.size() > 0;
     columns.completed = columns.failed;
-    kind.addColumns(trials, columns);
+    addColumns(columns, trials);
     columns.unfinished =
         std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
     columns.planned = true;
@@ -148,11 +170,9 @@ core::Result<void> exportCsv(SessionView& session, const QString& path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(cannotWrite(path, file.errorString()));
-    const auto kind = exerciseKind(session.setup().level.exercise);
-    CHIRON_TRY(kind);
-    const scoring::TraceColumns columns = columnsOf(session, **kind, (*trace)->trials);
+    const scoring::TraceColumns columns = columnsOf(session, (*trace)->trials);
     std::string text = scoring::traceCsvHeader(columns);
-    RowMaker rows(session, **kind, (*trace)->trials, columns);
+    RowMaker rows(session, (*trace)->trials, columns);
     const int tools = session.positions().tools();
     const auto flush = [&]() -> core::Result<void> {
         if (file.write(text.data(), qint64(text.size())) != qint64(text.size()))

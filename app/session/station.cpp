@@ -120,10 +120,18 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     }
 }
 
-std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
-                              const devices::WorkspaceMapping& mapping) {
-    // A pointer starts in the middle of its box.
-    return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]);
+/// A pointer starts in the middle of its box, at this height.
+std::optional<double> startHeightOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                    const devices::WorkspaceMapping& mapping) {
+    const auto start_W = kind.toolStart_W(level, mapping);
+    return start_W ? std::optional(start_W->z()) : std::nullopt;
+}
+
+core::Vec3 endoscopeStartOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                            const std::vector<devices::WorkspaceMapping>& places) {
+    const auto start_W =
+        kind.toolStart_W(level, places.empty() ? devices::WorkspaceMapping{} : places.front());
+    return start_W.value_or(core::Vec3::Zero());
 }
 } // namespace
 
@@ -242,11 +250,14 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
         places = {*mapping};
     }
     devices::DriverRequest request = requestOf(choice, tool);
-    request.widestJaw_rad = tool == PointerTool::point ? kind.fingerJaw_rad(level) : 0.0;
-    request.endoscopeStart_W = kind.endoscopeStart_W();
+    request.widestJaw_rad = tool == PointerTool::point ? kind.fingers(level).widestJaw_rad : 0.0;
+    request.endoscopeStart_W = endoscopeStartOf(kind, level, places);
     for (const devices::WorkspaceMapping& place : places)
         request.tools.push_back(
-            {place, tool == PointerTool::point ? startOf(kind, level, place) : std::nullopt, nullptr, {}});
+            {place,
+             tool == PointerTool::point ? startHeightOf(kind, level, place) : std::nullopt,
+             nullptr,
+             {}});
     return stationOf(driver, std::move(request));
 }
 
@@ -275,13 +286,13 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     auto places = placesOf(kind, level, hands, held.mounting);
     CHIRON_TRY(places);
     auto trainee =
-        kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
+        kind.makeOperator(level, operatorName, core::Random::mix(seed, "operator"), {chosen, *places});
     CHIRON_TRY(trainee);
     if (trainee->strategies.size() != hands)
         return differingHands(kind, trainee->strategies.size(), hands);
     devices::DriverRequest request;
     request.shape = kind.pointerTool();
-    request.endoscopeStart_W = kind.endoscopeStart_W();
+    request.endoscopeStart_W = endoscopeStartOf(kind, level, *places);
     request.mechanism = std::string(chosen);
     request.hand = held.hand != nullptr ? *held.hand : trainee->hand;
     request.seed = core::Random::mix(seed, "hand");

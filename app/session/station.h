@@ -69,7 +69,7 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// Errors: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 
-/// The same for a level of an exercise. An endoscope starts at the exercise's endoscopeStart_W(), looking in.
+/// The same for a level of an exercise. An endoscope starts at the exercise's toolStart_W(), looking in.
 /// Several points (fingers) are one tool each at the exercise's positions, each with the same box round its
 /// own position, so that the fingers of a hand stay side by side at an edge too. Graspers are one tool per
 /// instrument, with open jaws, above the field under their entry points; all reach the same box of W, whose

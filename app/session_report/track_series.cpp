@@ -6,15 +6,12 @@
 #include "session_report/mark_words.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace chiron::session_report {
 
 using session::PlaybackTrack;
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 report::ToolSamples samplesOf(const PlaybackTrack& track, int tool) {
     report::ToolSamples samples;
@@ -43,13 +40,10 @@ bool hasSeveralTrials(const catalogue::ExerciseLevel& level) {
 report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseLevel& level,
                               const QLocale& locale) {
     report::SampleSeries series;
-    for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
+    for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i)
         series.t_s.push_back(track.moments[i].t_s);
-        if (!track.canal.empty()) {
-            series.offset_mm.push_back(track.canal.offset_m[i] * 1e3);
-            series.alignment_deg.push_back(track.canal.alignment_rad[i] * kDegrees);
-        }
-    }
+    for (const session::PlaybackQuantity& derived : track.derived)
+        series.derived.push_back({derived.id, derived.values});
     for (int tool = 0; tool < track.toolCount; ++tool) {
         series.tools.push_back(samplesOf(track, tool));
         series.tools.back().name = toolName(level, tool, track.toolCount);

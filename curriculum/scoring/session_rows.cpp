@@ -11,10 +11,13 @@ namespace {
 TraceColumns columnsOf(const SessionTrace& trace) {
     TraceColumns columns;
     columns.tool = columns.tissue = columns.trial = columns.paused = columns.mark = columns.forceLimit = true;
-    columns.target = columns.insertion = !trace.trials.empty();
+    columns.target = !trace.trials.empty();
+    columns.own =
+        trace.trials.empty() || !trace.trials.front().own ? nullptr : &trace.trials.front().own->columns();
     for (const TrialTrace& trial : trace.trials) {
-        columns.target = columns.target && trial.apex.has_value();
-        columns.insertion = columns.insertion && trial.insertion.has_value();
+        columns.target = columns.target && trial.target.has_value();
+        if (columns.own != nullptr && (!trial.own || &trial.own->columns() != columns.own))
+            columns.own = nullptr;
         for (const ToolTrace& tool : trial.tools) {
             columns.commanded = columns.commanded || !tool.commanded_N.empty();
             columns.measured = columns.measured || !tool.measured_N.empty();
@@ -26,7 +29,8 @@ TraceColumns columnsOf(const SessionTrace& trace) {
         columns.unfinished = columns.unfinished || trial.unfinished;
         columns.completed = columns.completed || trial.completed;
     }
-    columns.completed = columns.completed || columns.insertion;
+    if (columns.own != nullptr && columns.own->required != nullptr)
+        columns.*columns.own->required = true;
     columns.planned = trace.plannedTrials > 0;
     columns.truth = truthIdsOf(trace.trials);
     if (!trace.trials.empty())
@@ -47,13 +51,8 @@ TraceRow trialRow(const SessionTrace& trace, const TrialTrace& trial, const Trac
     row.timedOut = trial.timedOut;
     row.markInContact = trial.markInContact;
     row.p_WMark_m = trial.p_WMark_m;
-    if (trial.apex) {
-        row.target_m = core::Vec3(trial.apex->x_m, trial.apex->y_m, 0.0);
-        row.targetRadius_m = trial.apex->radius_m;
-    }
     row.forceLimit_N = trace.forceLimit_N;
-    if (trial.insertion)
-        setTrialOfCanal(row.insertion, trial);
+    setTrial(row, trial, columns);
     return row;
 }
 
@@ -95,6 +94,23 @@ std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::stri
     return values;
 }
 
+void setTrial(TraceRow& row, const TrialTrace& trial, const TraceColumns& columns) {
+    if (trial.target) {
+        row.target_m = core::Vec3(trial.target->x_m, trial.target->y_m, 0.0);
+        row.targetRadius_m = trial.target->radius_m;
+    }
+    if (columns.own == nullptr)
+        return;
+    row.own.assign(columns.own->columns.size(), 0.0);
+    if (trial.own && &trial.own->columns() == columns.own)
+        trial.own->fillTrial(row.own);
+}
+
+void setSample(TraceRow& row, const TrialTrace& trial, std::size_t i, double t_s) {
+    if (trial.own && row.own.size() == trial.own->columns().columns.size())
+        trial.own->fillSample(row.own, i, t_s);
+}
+
 TraceRows rowsOf(const SessionTrace& trace) {
     TraceRows out;
     out.columns = columnsOf(trace);
@@ -106,8 +122,8 @@ TraceRows rowsOf(const SessionTrace& trace) {
             for (std::size_t i = 0; i < samples.t_s.size(); ++i) {
                 TraceRow row = sampleRow(ofTrial, samples, i);
                 row.tool = static_cast<std::uint8_t>(tool);
-                if (tool == 0 && trial.insertion)
-                    setSampleOfCanal(row.insertion, *trial.insertion, i, row.t_s);
+                if (tool == 0)
+                    setSample(row, trial, i, row.t_s);
                 for (const QuantityTrace& quantity : trial.quantities)
                     if (tool == 0)
                         row.quantities.push_back(quantity.values[i]);

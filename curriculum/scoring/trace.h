@@ -2,17 +2,16 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "scoring/own_trace.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace chiron::scoring {
-
-/// A trace file stores one bit per landmark that was seen.
-inline constexpr std::size_t kMostLandmarks = 32;
 
 /// One tool's samples of one trial, as metrics read them. All vectors have the same length. Times are from
 /// the device's clock (s, from the session's first frame, whole microseconds). Positions are rounded to 1 nm
@@ -38,30 +37,9 @@ struct ToolTrace {
     std::vector<std::uint32_t> heldTicks;
 };
 
-/// The tool's motion relative to a canal, sample by sample of tool 0. It is derived from stored poses and
-/// wrenches by the exercise's own geometry (app/session), or read from a trace file's columns. All vectors
-/// have the length of tool 0's.
-struct InsertionSeries {
-    std::vector<double> s_m;      ///< arc length of the point nearest to the tip; < 0 before the
-                                  ///< entrance
-    std::vector<double> offset_m; ///< distance from the centre-line, ≥ 0
-    /// Angle between the instrument's axis and the tangent of the centre-line, ≥ 0.
-    std::vector<double> alignment_rad;
-    /// All tissue force perpendicular to the tangent of the centre-line (wall, and friction on a tilted
-    /// shaft), ≥ 0.
-    std::vector<double> lateral_N;
-    std::vector<double> axialTorque_Nm; ///< |T_z|
-    std::vector<std::uint8_t> stage;    ///< core::ProcedureStage
-    double length_m = 0.0;              ///< L
-    double bend_m = 0.0;                ///< s_B: where the orientation has to change
-    double goal_m = 0.0;                ///< depth that ends the insertion
-    double lateralLimit_N = 2.0;        ///< limit for trauma events
-    /// Time at which each landmark was seen, NaN if it was not; empty: the level has none.
-    std::vector<double> landmarkSeen_s;
-};
-
-/// The truth of a sphere-apex trial, from its seed and content. Only the apex errors need it.
-struct ApexTruth {
+/// The place in the plane that the answer of a trial had to mark, from its seed and content: the columns
+/// target_x_mm, target_y_mm and target_radius_mm.
+struct TargetTruth {
     double x_m = 0.0;
     double y_m = 0.0;
     double radius_m = 0.02;
@@ -90,11 +68,11 @@ struct TrialTrace {
     bool timedOut = false;
     core::Vec3 p_WMark_m = core::Vec3::Zero(); ///< tool 0 at the mark (last position if the file had no mark)
     bool markInContact = false;
-    std::optional<ApexTruth> apex;
-    std::optional<InsertionSeries> insertion; ///< exercises through a canal
-    std::vector<QuantityTrace> quantities;    ///< exercises whose scene records quantities
-    std::vector<NamedValue> truth;            ///< ground-truth values of this trial from its exercise
-    bool failed = false;                      ///< kFailed: the trial could not be completed any more
+    std::optional<TargetTruth> target;     ///< exercises whose answer is a mark in a plane
+    std::shared_ptr<const OwnTrace> own;   ///< what only its exercise knows of the trial; null: nothing
+    std::vector<QuantityTrace> quantities; ///< exercises whose scene records quantities
+    std::vector<NamedValue> truth;         ///< ground-truth values of this trial from its exercise
+    bool failed = false;                   ///< kFailed: the trial could not be completed any more
     bool completed = false; ///< kCompleted: the procedure was done to its end; in other exercises a mark ends
                             ///< the trial
     /// The trial had no end (stopped, interrupted) and counts in no score. Never set in sessions that follow
@@ -102,6 +80,9 @@ struct TrialTrace {
     bool unfinished = false;
     /// false: the file has no force columns; tissue_N is zero and meaningless.
     bool forcesKnown = true;
+
+    /// The exercise's own part as a value of its type; null if it is of another type or there is none.
+    template <class Own> const Own* of() const noexcept { return dynamic_cast<const Own*>(own.get()); }
 };
 
 struct SessionTrace {

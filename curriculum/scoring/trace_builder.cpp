@@ -78,52 +78,32 @@ core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::s
                               source + ": trial " + std::to_string(first.trial + 1) +
                                   ": target_x_mm, target_y_mm or target_radius_mm changes at t_s " +
                                   std::to_string(row->t_s) + ": expected the same on each row of a trial");
-    trial.apex = ApexTruth{first.target_m.x(), first.target_m.y(), first.targetRadius_m};
+    trial.target = TargetTruth{first.target_m.x(), first.target_m.y(), first.targetRadius_m};
     return {};
 }
 
-/// Returns the name of the first per-trial column that differs between two rows, or null.
-const char* differing(const InsertionRow& a, const InsertionRow& b) {
-    return a.length_m != b.length_m               ? "length_mm"
-           : a.bend_m != b.bend_m                 ? "bend_mm"
-           : a.goal_m != b.goal_m                 ? "goal_mm"
-           : a.lateralLimit_N != b.lateralLimit_N ? "lateral_limit_N"
-           : a.landmarks != b.landmarks           ? "landmarks"
-                                                  : nullptr;
+/// Returns the name of the first column of the trial that differs between two rows; empty if none does.
+std::string_view differing(const OwnColumns& own, const TraceRow& a, const TraceRow& b) {
+    for (std::size_t place = 0; place < own.columns.size(); ++place)
+        if (own.columns[place].ofTrial && a.own[place] != b.own[place])
+            return own.columns[place].name;
+    return {};
 }
 
-void append(InsertionSeries& series, const TraceRow& row) {
-    const InsertionRow& canal = row.insertion;
-    series.s_m.push_back(canal.arc_m);
-    series.offset_m.push_back(canal.offset_m);
-    series.alignment_rad.push_back(canal.alignment_rad);
-    series.lateral_N.push_back(canal.lateral_N);
-    series.axialTorque_Nm.push_back(canal.axialTorque_Nm);
-    series.stage.push_back(static_cast<std::uint8_t>(canal.stage));
-    for (std::size_t k = 0; k < series.landmarkSeen_s.size(); ++k)
-        if (std::isnan(series.landmarkSeen_s[k]) && (canal.landmarksSeen >> k & 1u) != 0)
-            series.landmarkSeen_s[k] = row.t_s;
-}
-
-/// Sets the insertion series from the canal columns in tool 0's rows.
-core::Result<void> setInsertion(TrialTrace& trial, const RowList& rows, const std::string& source) {
-    const InsertionRow& first = rows.front()->insertion;
-    InsertionSeries series;
-    series.length_m = first.length_m;
-    series.bend_m = first.bend_m;
-    series.goal_m = first.goal_m;
-    series.lateralLimit_N = first.lateralLimit_N;
-    series.landmarkSeen_s.assign(first.landmarks, std::numeric_limits<double>::quiet_NaN());
+/// Sets the exercise's own part from its columns in tool 0's rows.
+core::Result<void> setOwn(TrialTrace& trial, const OwnColumns& own, const RowList& rows,
+                          const std::string& source) {
+    RowList ofTool0;
     for (const TraceRow* row : rows) {
-        if (const char* column = differing(first, row->insertion))
-            return core::fail(core::ErrorCode::badInput, source + ": trial " +
-                                                             std::to_string(trial.trial + 1) + ": " + column +
-                                                             " changes at t_s " + std::to_string(row->t_s) +
-                                                             ": expected the same on each row of a trial");
+        if (const std::string_view column = differing(own, *rows.front(), *row); !column.empty())
+            return core::fail(core::ErrorCode::badInput,
+                              source + ": trial " + std::to_string(trial.trial + 1) + ": " +
+                                  std::string(column) + " changes at t_s " + std::to_string(row->t_s) +
+                                  ": expected the same on each row of a trial");
         if (row->tool == 0)
-            append(series, *row);
+            ofTool0.push_back(row);
     }
-    trial.insertion = std::move(series);
+    trial.own = own.make(*rows.front(), ofTool0);
     return {};
 }
 
@@ -131,7 +111,8 @@ bool sameValue(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b)); // NaN: an empty field
 }
 
-/// Sets the remaining values that are the same on each row of a trial, apart from mark, target and canal.
+/// Sets the remaining values that are the same on each row of a trial, apart from mark, target and
+/// the exercise's own part.
 core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, const RowList& rows,
                             const std::string& source) {
     const TraceRow& first = *rows.front();
@@ -202,8 +183,8 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
         if (rows.columns.target)
             CHIRON_TRY(setTruth(trial, list, rows.source));
         CHIRON_TRY(setNamed(trial, rows.columns, list, rows.source));
-        if (rows.columns.insertion)
-            CHIRON_TRY(setInsertion(trial, list, rows.source));
+        if (rows.columns.own != nullptr)
+            CHIRON_TRY(setOwn(trial, *rows.columns.own, list, rows.source));
         trace.trials.push_back(std::move(trial));
     }
     return trace;

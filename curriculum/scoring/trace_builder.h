@@ -20,11 +20,10 @@ enum class MarkMeaning { oneOfSeveral, endsTheTrial };
 /// one trial, which ends at the first mark if marks end trials. Mark: from the mark columns, else the first
 /// row of tool 0 whose button bit 0 is newly down. Without a mark the last position is scored and `marked`
 /// stays false. Contact at the mark: from the column, else tissue force over 0.02 N at that row, else (no
-/// forces in the file) it is not judged and taken as contact. Apex truth: from the target columns. Canal:
-/// from the insertion columns in the rows of tool 0; a landmark was seen at the first row that has its bit.
-/// Quantities: from the rows of tool 0; truth: from the trial's rows. Limit: `force_limit_N`, else
-/// `defaultForceLimit_N`.
-/// Errors: badInput if no row is left to score, or a column that belongs to the trial changes within it.
+/// forces in the file) it is not judged and taken as contact. Target: from its columns. The
+/// exercise's own part: from its columns in the rows of tool 0. Quantities: from the rows of tool 0; truth:
+/// from the trial's rows. Limit: `force_limit_N`, else `defaultForceLimit_N`. Errors: badInput if no row is
+/// left to score, or a column that belongs to the trial changes within it.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
                                              double defaultForceLimit_N = 4.0,
                                              MarkMeaning mark = MarkMeaning::oneOfSeveral);
@@ -37,10 +36,10 @@ TraceRows rowsOf(const SessionTrace& trace);
 /// truth_<id>; and a trial's values in that order, NaN if it has none.
 std::vector<std::string> truthIdsOf(const std::vector<TrialTrace>& trials);
 std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::string>& ids);
-/// Set the canal columns as rowsOf does, for callers that write their own rows: the values of the trial,
-/// which are the same on each of its rows, and those of tool 0's sample `i`, taken at `t_s`. The trial must
-/// have an insertion series.
-void setTrialOfCanal(InsertionRow& row, const TrialTrace& trial);
-void setSampleOfCanal(InsertionRow& row, const InsertionSeries& series, std::size_t i, double t_s);
+/// Set the columns of the target and of the exercise's own part as rowsOf does, for callers that write their
+/// own rows: the values of the trial, which are the same on each of its rows, and those of tool 0's sample
+/// `i`, taken at `t_s`, which the exercise's own part has. Nothing for a part that the trial does not have.
+void setTrial(TraceRow& row, const TrialTrace& trial, const TraceColumns& columns);
+void setSample(TraceRow& row, const TrialTrace& trial, std::size_t i, double t_s);
 
 } // namespace chiron::scoring

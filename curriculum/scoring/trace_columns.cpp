@@ -15,7 +15,7 @@ constexpr std::string_view kLengthText = "millimetres, -1e6 to 1e6";
 constexpr std::string_view kForceText = "newtons, -1e6 to 1e6";
 constexpr double kStrongest_mNm = 1e6;
 constexpr std::string_view kTorqueText = "millinewton metres, -1e6 to 1e6";
-constexpr std::string_view kDistanceText = "millimetres, 0 to 1e6";
+constexpr std::array<std::string_view, 5> kPhaseNames{"idle", "ready", "running", "between", "finished"};
 
 #define CHIRON_ACCESS(expression)                                                                            \
     [](const TraceRow& row) -> double { return static_cast<double>(row.expression); },                       \
@@ -48,14 +48,10 @@ constexpr std::string_view kDistanceText = "millimetres, 0 to 1e6";
         name, ColumnKind::torque, &TraceColumns::torque, -kStrongest_mNm, kStrongest_mNm, kTorqueText,       \
             CHIRON_VECTOR_ACCESS(tissueTorque_Nm, axis)                                                      \
     }
-#define CHIRON_CANAL(name, kind, member, least, most, text)                                                  \
-    TraceColumn {                                                                                            \
-        name, ColumnKind::kind, &TraceColumns::insertion, least, most, text, CHIRON_ACCESS(insertion.member) \
-    }
-
 constexpr double kMostBits = 4294967295.0;
 
-const auto kColumns = std::to_array<TraceColumn>({
+/// The columns that every exercise can have.
+const auto kShared = std::to_array<TraceColumn>({
     {"t_s", ColumnKind::time, nullptr, -kLongest_s, kLongest_s, kTimeText, CHIRON_ACCESS(t_s)},
     CHIRON_LENGTH("x_mm", nullptr, p_WT_m, x),
     CHIRON_LENGTH("y_mm", nullptr, p_WT_m, y),
@@ -82,8 +78,8 @@ const auto kColumns = std::to_array<TraceColumn>({
     {"trial", ColumnKind::integer, &TraceColumns::trial, 1.0, 65536.0, "a whole number, 1 to 65536",
      [](const TraceRow& row) -> double { return row.trial + 1.0; },
      [](TraceRow& row, double value) { row.trial = static_cast<std::int32_t>(value) - 1; }},
-    {"phase", ColumnKind::phase, &TraceColumns::phase, 0.0, 4.0, "idle, ready, running, between or finished",
-     CHIRON_ACCESS(phase)},
+    {"phase", ColumnKind::word, &TraceColumns::phase, 0.0, 4.0, "idle, ready, running, between or finished",
+     CHIRON_ACCESS(phase), kPhaseNames},
     CHIRON_FLAG("paused", &TraceColumns::paused, paused),
     CHIRON_FLAG("marked", &TraceColumns::mark, marked),
     CHIRON_FLAG("timed_out", &TraceColumns::mark, timedOut),
@@ -100,38 +96,51 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_TORQUE("tx_mNm", x),
     CHIRON_TORQUE("ty_mNm", y),
     CHIRON_TORQUE("tz_mNm", z),
-    CHIRON_CANAL("arc_mm", length, arc_m, -kFurthest_mm, kFurthest_mm, kLengthText),
-    CHIRON_CANAL("offset_mm", length, offset_m, 0.0, kFurthest_mm, kDistanceText),
-    CHIRON_CANAL("alignment_deg", fineAngle, alignment_rad, 0.0, 180.0, "degrees, 0 to 180"),
-    CHIRON_CANAL("lateral_N", force, lateral_N, 0.0, kStrongest_N, "newtons, 0 to 1e6"),
-    CHIRON_CANAL("axial_mNm", torque, axialTorque_Nm, 0.0, kStrongest_mNm, "millinewton metres, 0 to 1e6"),
-    CHIRON_CANAL("stage", stage, stage, 0.0, 4.0, "outside, insertion, inspection, withdrawal or completed"),
-    CHIRON_CANAL("landmarks_seen", integer, landmarksSeen, 0.0, kMostBits,
-                 "a whole number, 0 to 4294967295: one bit a landmark"),
     CHIRON_FLAG("completed", &TraceColumns::completed, completed),
     CHIRON_FLAG("failed", &TraceColumns::failed, failed),
     CHIRON_FLAG("unfinished", &TraceColumns::unfinished, unfinished),
     {"trials_planned", ColumnKind::integer, &TraceColumns::planned, 1.0, 1e6, "a whole number, 1 to 1000000",
      CHIRON_ACCESS(plannedTrials)},
-    CHIRON_CANAL("length_mm", length, length_m, 1e-6, kFurthest_mm, "millimetres, 1e-6 to 1e6"),
-    CHIRON_CANAL("bend_mm", length, bend_m, 0.0, kFurthest_mm, kDistanceText),
-    CHIRON_CANAL("goal_mm", length, goal_m, 0.0, kFurthest_mm, kDistanceText),
-    CHIRON_CANAL("lateral_limit_N", force, lateralLimit_N, 0.001, kStrongest_N, "newtons, 0.001 to 1e6"),
     {"contact", ColumnKind::integer, &TraceColumns::contact, 0.0, 7.0,
      "a whole number, 0 to 7: 1 beyond the checked range, 2 the tissue gave way, 4 through it",
      CHIRON_ACCESS(contact)},
-    CHIRON_CANAL("landmarks", integer, landmarks, 0.0, 32.0, "a whole number, 0 to 32"),
 });
+
+/// Appends the columns of exercises that follow this shared column.
+void appendOwn(std::vector<TraceColumn>& all, std::string_view after) {
+    for (const OwnColumns* owner : ownColumns())
+        for (std::size_t place = 0; place < owner->columns.size(); ++place) {
+            const OwnColumn& own = owner->columns[place];
+            if (own.after != after)
+                continue;
+            TraceColumn column{own.name, own.kind, nullptr, own.least, own.most, own.expected};
+            column.words = own.words;
+            column.owner = owner;
+            column.place = place;
+            all.push_back(column);
+        }
+}
+
+std::vector<TraceColumn> withOwnColumns() {
+    std::vector<TraceColumn> all;
+    for (const TraceColumn& column : kShared) {
+        all.push_back(column);
+        appendOwn(all, column.name);
+    }
+    return all;
+}
 
 } // namespace
 
 std::span<const TraceColumn> traceColumns() {
-    return kColumns;
+    static const std::vector<TraceColumn> all = withOwnColumns();
+    return all;
 }
 
 int findTraceColumn(std::string_view name) {
-    for (std::size_t i = 0; i < kColumns.size(); ++i)
-        if (kColumns[i].name == name)
+    const std::span<const TraceColumn> all = traceColumns();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].name == name)
             return static_cast<int>(i);
     return -1;
 }
@@ -145,38 +154,6 @@ std::string_view namedColumnId(std::string_view name, std::string_view prefix) {
     return id.size() > kLongest || id.find_first_not_of(kLetters) != std::string_view::npos
                ? std::string_view{}
                : id;
-}
-
-std::string_view phaseName(core::TrialPhase phase) {
-    switch (phase) {
-    case core::TrialPhase::idle:
-        return "idle";
-    case core::TrialPhase::ready:
-        return "ready";
-    case core::TrialPhase::running:
-        return "running";
-    case core::TrialPhase::between:
-        return "between";
-    case core::TrialPhase::finished:
-        break;
-    }
-    return "finished";
-}
-
-std::string_view stageName(core::ProcedureStage stage) {
-    switch (stage) {
-    case core::ProcedureStage::outside:
-        return "outside";
-    case core::ProcedureStage::insertion:
-        return "insertion";
-    case core::ProcedureStage::inspection:
-        return "inspection";
-    case core::ProcedureStage::withdrawal:
-        return "withdrawal";
-    case core::ProcedureStage::completed:
-        break;
-    }
-    return "completed";
 }
 
 } // namespace chiron::scoring

@@ -17,10 +17,9 @@ enum class ColumnKind {
     number, ///< any finite number, as the shortest decimals that read back to it
     angle,  ///< degrees in the file, rad here
     integer,
-    phase,     ///< idle, ready, running, between, finished
+    word,      ///< one of TraceColumn::words; its number here
     torque,    ///< mN·m, whole 0.01 mN·m in the file
     fineAngle, ///< degrees, whole 1e-6° in the file, rad here
-    stage,     ///< outside, insertion, inspection, withdrawal, completed
 };
 
 /// One column: its name, the group of columns that are all present or all absent, and where its value is
@@ -28,14 +27,35 @@ enum class ColumnKind {
 struct TraceColumn {
     std::string_view name;
     ColumnKind kind = ColumnKind::number;
-    bool TraceColumns::*group = nullptr; ///< null: always present
+    bool TraceColumns::*group = nullptr; ///< null: always present, unless it has an owner
     double least = 0.0;                  ///< range in the file's unit, both ends included
     double most = 0.0;
     std::string_view expected;                    ///< for error messages
-    double (*get)(const TraceRow& row) = nullptr; ///< SI; integers and phases as numbers
+    double (*get)(const TraceRow& row) = nullptr; ///< SI; integers and words as numbers
     void (*set)(TraceRow& row, double value) = nullptr;
+    std::span<const std::string_view> words{}; ///< for ColumnKind::word
+    /// The columns of one exercise to which it belongs (then without group, get and set), and its place
+    /// there.
+    const OwnColumns* owner = nullptr;
+    std::size_t place = 0;
+
+    double valueIn(const TraceRow& row) const {
+        if (owner == nullptr)
+            return get(row);
+        return place < row.own.size() ? row.own[place] : 0.0;
+    }
+    void setIn(TraceRow& row, double value) const {
+        if (owner != nullptr)
+            row.own[place] = value;
+        else
+            set(row, value);
+    }
+    bool presentIn(const TraceColumns& columns) const {
+        return owner != nullptr ? columns.own == owner : group == nullptr || columns.*group;
+    }
 };
 
+/// All columns in the order of a file, those of exercises included.
 std::span<const TraceColumn> traceColumns();
 
 /// Returns the position in traceColumns(), or -1.
@@ -49,8 +69,5 @@ inline constexpr std::string_view kTruthPrefix = "truth_";       ///< + id: grou
 /// Returns the id after the prefix in the name of a column that an exercise named: 1 to 64 letters, digits
 /// and _. Empty for any other name.
 std::string_view namedColumnId(std::string_view name, std::string_view prefix);
-
-std::string_view phaseName(core::TrialPhase phase);
-std::string_view stageName(core::ProcedureStage stage);
 
 } // namespace chiron::scoring

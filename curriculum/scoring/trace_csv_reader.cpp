@@ -91,14 +91,15 @@ private:
     }
 
     core::Result<void> readHeader(std::string_view line) {
-        std::array<bool, 64> seen{};
+        std::vector<bool> seen(traceColumns().size(), false);
         for (std::size_t start = 0, number = 1; start <= line.size(); ++number) {
             const std::size_t end = std::min(line.find(',', start), line.size());
             const std::string_view name = line.substr(start, end - start);
             start = end + 1;
             if (const int column = findTraceColumn(name); column >= 0) {
-                if (std::exchange(seen[static_cast<std::size_t>(column)], true))
+                if (seen[static_cast<std::size_t>(column)])
                     return refuse(number, shown(name), "each column once");
+                seen[static_cast<std::size_t>(column)] = true;
                 m_columns.push_back({&traceColumns()[static_cast<std::size_t>(column)], nullptr, 0});
             } else if (auto named = addNamed(name, number); !named) {
                 return named;
@@ -124,18 +125,27 @@ private:
         return {};
     }
 
-    core::Result<void> checkGroups(const std::array<bool, 64>& seen) {
+    core::Result<void> checkGroups(const std::vector<bool>& seen) {
+        TraceColumns& present = m_out.columns;
+        for (std::size_t i = 0; i < traceColumns().size(); ++i) {
+            const TraceColumn& column = traceColumns()[i];
+            if (seen[i] && column.owner != nullptr)
+                present.own = column.owner;
+            else if (seen[i] && column.group != nullptr)
+                present.*column.group = true;
+        }
         for (std::size_t i = 0; i < traceColumns().size(); ++i)
-            if (const TraceColumn& column = traceColumns()[i]; column.group != nullptr && seen[i])
-                m_out.columns.*column.group = true;
-        for (std::size_t i = 0; i < traceColumns().size(); ++i)
-            if (const TraceColumn& column = traceColumns()[i];
-                !seen[i] && (column.group == nullptr || m_out.columns.*column.group))
+            if (const TraceColumn& column = traceColumns()[i]; !seen[i] && column.presentIn(present))
                 return refuse(1, "no column \"" + std::string(column.name) + "\"",
-                              column.group == nullptr ? "t_s,x_mm,y_mm,z_mm at least"
-                                                      : "all columns of its group or none of them");
-        if (m_out.columns.insertion && !m_out.columns.completed)
-            return refuse(1, "no column \"completed\"", "it beside those of a canal");
+                              column.group == nullptr && column.owner == nullptr
+                                  ? "t_s,x_mm,y_mm,z_mm at least"
+                                  : "all columns of its group or none of them");
+        if (present.own == nullptr || present.own->required == nullptr || present.*present.own->required)
+            return {};
+        for (const TraceColumn& column : traceColumns())
+            if (column.group == present.own->required)
+                return refuse(1, "no column \"" + std::string(column.name) + "\"",
+                              "it beside those of " + std::string(present.own->of));
         return {};
     }
 
@@ -158,6 +168,8 @@ private:
         TraceRow row;
         row.quantities.resize(m_out.columns.quantities.size());
         row.truth.resize(m_out.columns.truth.size());
+        if (m_out.columns.own != nullptr)
+            row.own.resize(m_out.columns.own->columns.size());
         std::size_t start = 0;
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
             if (start > line.size())
@@ -179,7 +191,7 @@ private:
         if (column.fixed != nullptr) {
             const auto value = readValue(*column.fixed, text, number);
             CHIRON_TRY(value);
-            column.fixed->set(row, *value);
+            column.fixed->setIn(row, *value);
             return {};
         }
         double value = std::numeric_limits<double>::quiet_NaN(); // an empty field means that there is no
@@ -198,16 +210,10 @@ private:
         const auto refused = [&] {
             return refuse(number, std::string(column.name) + " " + shown(text), std::string(column.expected));
         };
-        if (column.kind == ColumnKind::phase) {
-            for (int phase = 0; phase <= 4; ++phase)
-                if (phaseName(static_cast<core::TrialPhase>(phase)) == text)
-                    return phase;
-            return refused();
-        }
-        if (column.kind == ColumnKind::stage) {
-            for (int stage = 0; stage <= 4; ++stage)
-                if (stageName(static_cast<core::ProcedureStage>(stage)) == text)
-                    return stage;
+        if (column.kind == ColumnKind::word) {
+            for (std::size_t word = 0; word < column.words.size(); ++word)
+                if (column.words[word] == text)
+                    return static_cast<double>(word);
             return refused();
         }
         double value = 0.0;
@@ -237,8 +243,7 @@ private:
             return core::radFromDeg(std::nearbyint(value * 1e6) / 1e6 + 0.0);
         case ColumnKind::number:
         case ColumnKind::integer:
-        case ColumnKind::phase:
-        case ColumnKind::stage:
+        case ColumnKind::word:
             break;
         }
         return value;

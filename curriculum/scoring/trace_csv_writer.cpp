@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -13,10 +14,6 @@
 namespace chiron::scoring {
 
 namespace {
-
-bool written(const TraceColumn& column, const TraceColumns& columns) {
-    return column.group == nullptr || columns.*column.group;
-}
 
 void appendInteger(std::string& out, std::int64_t value) {
     std::array<char, 24> text{};
@@ -52,8 +49,8 @@ void appendShortest(std::string& out, double value) {
     out.append(text.data(), end);
 }
 
-void appendValue(std::string& out, ColumnKind kind, double value) {
-    switch (kind) {
+void appendValue(std::string& out, const TraceColumn& column, double value) {
+    switch (column.kind) {
     case ColumnKind::time:
         appendDecimal(out, nearest(value * 1e6), 6);
         break;
@@ -72,17 +69,14 @@ void appendValue(std::string& out, ColumnKind kind, double value) {
     case ColumnKind::integer:
         appendInteger(out, static_cast<std::int64_t>(value));
         break;
-    case ColumnKind::phase:
-        out += phaseName(static_cast<core::TrialPhase>(static_cast<int>(value)));
+    case ColumnKind::word:
+        out += column.words[std::min(static_cast<std::size_t>(value), column.words.size() - 1)];
         break;
     case ColumnKind::torque:
         appendDecimal(out, nearest(value * 1e5), 2);
         break;
     case ColumnKind::fineAngle:
         appendDecimal(out, nearest(core::degFromRad(value) * 1e6), 6);
-        break;
-    case ColumnKind::stage:
-        out += stageName(static_cast<core::ProcedureStage>(static_cast<int>(value)));
         break;
     }
 }
@@ -101,7 +95,7 @@ void appendNamed(std::string& out, std::size_t count, const std::vector<double>&
 std::string traceCsvHeader(const TraceColumns& columns) {
     std::string out;
     for (const TraceColumn& column : traceColumns())
-        if (written(column, columns)) {
+        if (column.presentIn(columns)) {
             out += out.empty() ? "" : ",";
             out += column.name;
         }
@@ -115,11 +109,11 @@ std::string traceCsvHeader(const TraceColumns& columns) {
 void appendTraceCsvRow(std::string& out, const TraceColumns& columns, const TraceRow& row) {
     bool first = true;
     for (const TraceColumn& column : traceColumns())
-        if (written(column, columns)) {
+        if (column.presentIn(columns)) {
             if (!first)
                 out += ',';
             first = false;
-            appendValue(out, column.kind, column.get(row));
+            appendValue(out, column, column.valueIn(row));
         }
     appendNamed(out, columns.quantities.size(), row.quantities);
     appendNamed(out, columns.truth.size(), row.truth);

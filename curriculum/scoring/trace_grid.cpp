@@ -36,17 +36,6 @@ bool fits(const ToolTrace& raw) {
            sameLength(raw.q_WT, n, true) && sameLength(raw.tissueTorque_Nm, n, true);
 }
 
-bool fits(const InsertionSeries& raw, std::size_t n) {
-    return raw.s_m.size() == n && raw.offset_m.size() == n && raw.alignment_rad.size() == n &&
-           raw.lateral_N.size() == n && raw.axialTorque_Nm.size() == n && raw.stage.size() == n;
-}
-
-bool isFinite(const InsertionSeries& raw, std::size_t i) {
-    return std::isfinite(raw.s_m[i]) && std::isfinite(raw.offset_m[i]) &&
-           std::isfinite(raw.alignment_rad[i]) && std::isfinite(raw.lateral_N[i]) &&
-           std::isfinite(raw.axialTorque_Nm[i]);
-}
-
 bool isFinite(const std::vector<QuantityTrace>& quantities, std::size_t i) {
     return std::all_of(quantities.begin(), quantities.end(),
                        [i](const auto& q) { return std::isfinite(q.values[i]); });
@@ -57,8 +46,8 @@ bool fits(const std::vector<QuantityTrace>& quantities, std::size_t n) {
                        [n](const auto& q) { return q.values.size() == n; });
 }
 
-/// Returns the indices of the samples that are kept; `series` and `quantities` belong to tool 0.
-std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries* series,
+/// Returns the indices of the samples that are kept; `own` and `quantities` belong to tool 0.
+std::vector<std::size_t> keptSamples(const ToolTrace& raw, const OwnTrace* own,
                                      const std::vector<QuantityTrace>& quantities) {
     std::vector<std::size_t> kept;
     double last = -std::numeric_limits<double>::infinity();
@@ -67,7 +56,7 @@ std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries
         const bool finite = std::isfinite(t) && raw.p_WT_m[i].allFinite() && raw.tissue_N[i].allFinite() &&
                             (raw.q_WT.empty() || raw.q_WT[i].coeffs().allFinite()) &&
                             (raw.tissueTorque_Nm.empty() || raw.tissueTorque_Nm[i].allFinite()) &&
-                            (series == nullptr || isFinite(*series, i)) && isFinite(quantities, i);
+                            (own == nullptr || own->finiteAt(i)) && isFinite(quantities, i);
         if (!finite || !(t > last))
             continue;
         last = t;
@@ -97,32 +86,6 @@ ToolTrace toolOnGrids(const ToolTrace& raw, const std::vector<std::size_t>& kept
     return out;
 }
 
-double seenOnGrid(double seen_s, const std::vector<double>& t_s) {
-    const auto first = std::lower_bound(t_s.begin(), t_s.end(), onMicroseconds(seen_s));
-    const bool seen = std::isfinite(seen_s) && first != t_s.end();
-    return seen ? *first : std::numeric_limits<double>::quiet_NaN();
-}
-
-InsertionSeries insertionOnGrids(const InsertionSeries& raw, const std::vector<std::size_t>& kept,
-                                 const std::vector<double>& t_s) {
-    InsertionSeries out;
-    for (const std::size_t i : kept) {
-        out.s_m.push_back(onNanometres(raw.s_m[i]));
-        out.offset_m.push_back(onNanometres(raw.offset_m[i]));
-        out.alignment_rad.push_back(onMicrodegrees(raw.alignment_rad[i]));
-        out.lateral_N.push_back(onMillinewtons(raw.lateral_N[i]));
-        out.axialTorque_Nm.push_back(onTorqueGrid(raw.axialTorque_Nm[i]));
-        out.stage.push_back(raw.stage[i]);
-    }
-    out.length_m = onNanometres(raw.length_m);
-    out.bend_m = onNanometres(raw.bend_m);
-    out.goal_m = onNanometres(raw.goal_m);
-    out.lateralLimit_N = onMillinewtons(raw.lateralLimit_N);
-    for (const double seen_s : raw.landmarkSeen_s)
-        out.landmarkSeen_s.push_back(seenOnGrid(seen_s, t_s));
-    return out;
-}
-
 /// Returns the kept values without rounding: a recording rounds each quantity to its own resolution, and a
 /// file contains all digits.
 std::vector<QuantityTrace> keptOf(const std::vector<QuantityTrace>& raw,
@@ -149,9 +112,9 @@ TrialTrace endingOnGrids(const TrialTrace& raw) {
     trial.forcesKnown = raw.forcesKnown;
     trial.markInContact = raw.markInContact;
     trial.p_WMark_m = onGrid(raw.p_WMark_m, 1e9);
-    if (raw.apex)
-        trial.apex = ApexTruth{onNanometres(raw.apex->x_m), onNanometres(raw.apex->y_m),
-                               onNanometres(raw.apex->radius_m)};
+    if (raw.target)
+        trial.target = TargetTruth{onNanometres(raw.target->x_m), onNanometres(raw.target->y_m),
+                                   onNanometres(raw.target->radius_m)};
     return trial;
 }
 
@@ -164,23 +127,23 @@ core::Result<TrialTrace> trialOnGrids(const TrialTrace& raw) {
     TrialTrace trial = endingOnGrids(raw);
     for (std::size_t i = 0; i < raw.tools.size(); ++i) {
         const ToolTrace& tool = raw.tools[i];
-        const InsertionSeries* series = i == 0 && raw.insertion ? &*raw.insertion : nullptr;
+        const OwnTrace* own = i == 0 ? raw.own.get() : nullptr;
         const auto& quantities = i == 0 ? raw.quantities : kNone;
-        if (!fits(tool) || (series != nullptr && !fits(*series, tool.t_s.size())) ||
+        if (!fits(tool) || (own != nullptr && !own->fits(tool.t_s.size())) ||
             !fits(quantities, tool.t_s.size()))
             return unequal();
-        const std::vector<std::size_t> kept = keptSamples(tool, series, quantities);
+        const std::vector<std::size_t> kept = keptSamples(tool, own, quantities);
         trial.tools.push_back(toolOnGrids(tool, kept));
-        if (series != nullptr)
-            trial.insertion = insertionOnGrids(*series, kept, trial.tools.back().t_s);
+        if (own != nullptr) {
+            auto onGrids = own->onGrids(kept, trial.tools.back().t_s);
+            CHIRON_TRY(onGrids);
+            trial.own = std::move(*onGrids);
+        }
         if (i == 0)
             trial.quantities = keptOf(quantities, kept);
     }
-    if ((raw.insertion || !raw.quantities.empty()) && raw.tools.empty())
+    if ((raw.own || !raw.quantities.empty()) && raw.tools.empty())
         return unequal();
-    if (raw.insertion && raw.insertion->landmarkSeen_s.size() > kMostLandmarks)
-        return core::fail(core::ErrorCode::badInput,
-                          "trace: more than 32 landmarks: expected what a trace file can hold");
     return trial;
 }
 

@@ -17,11 +17,9 @@ double onMicrodegrees(double angle_rad);
 
 /// Returns a copy with every value on its grid and, per tool, strictly increasing time. A sample whose time
 /// is not later than the last kept one (a packet that was read twice), or is not finite, is left out, also
-/// from the insertion series and the quantities. Code that cuts a recording into trials removes such samples
-/// before cutting, so that an exported recording is cut in the same way. The time at which a landmark was
-/// seen becomes that of the first sample at or after it.
-/// Errors: vectors of unequal length, an insertion series or quantities without tool 0, more than
-/// kMostLandmarks landmarks.
+/// from the exercise's own part and the quantities. Code that cuts a recording into trials removes such
+/// samples before cutting, so that an exported recording is cut in the same way. Errors: vectors of unequal
+/// length, an own part or quantities without tool 0, those of OwnTrace::onGrids.
 core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace);
 
 } // namespace chiron::scoring

@@ -3,7 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/session_state.h"
-#include "cues/procedure_stage.h"
+#include "scoring/own_trace.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,35 +24,18 @@ struct TraceColumns {
     bool trial = false;
     bool phase = false;
     bool paused = false;
-    bool mark = false;       ///< marked, timed_out, mark_in_contact, mark_x_mm, mark_y_mm, mark_z_mm
-    bool target = false;     ///< target_x_mm, target_y_mm, target_radius_mm
-    bool forceLimit = false; ///< force_limit_N
-    bool torque = false;     ///< tx_mNm,ty_mNm,tz_mNm
-    bool insertion = false;  ///< arc_mm ... stage; and, per trial, length_mm ... landmarks
-    bool completed = false;  ///< per trial; always together with `insertion`
-    bool failed = false;     ///< per trial
-    bool unfinished = false; ///< per trial
-    bool planned = false;    ///< trials_planned
-    bool contact = false;    ///< core::contact_bits
+    bool mark = false;               ///< marked, timed_out, mark_in_contact, mark_x_mm, mark_y_mm, mark_z_mm
+    bool target = false;             ///< target_x_mm, target_y_mm, target_radius_mm
+    bool forceLimit = false;         ///< force_limit_N
+    bool torque = false;             ///< tx_mNm,ty_mNm,tz_mNm
+    const OwnColumns* own = nullptr; ///< the columns of one exercise; null: none
+    bool completed = false;          ///< per trial
+    bool failed = false;             ///< per trial
+    bool unfinished = false;         ///< per trial
+    bool planned = false;            ///< trials_planned
+    bool contact = false;            ///< core::contact_bits
     std::vector<std::string> quantities; ///< ids of the columns quantity_<id>, in the file's order
     std::vector<std::string> truth;      ///< ids of the columns truth_<id>, in the file's order
-};
-
-/// The canal columns of a row; see InsertionSeries. The second half belongs to the trial and is the same on
-/// each of its rows.
-struct InsertionRow {
-    double arc_m = 0.0;
-    double offset_m = 0.0;
-    double alignment_rad = 0.0;
-    double lateral_N = 0.0;
-    double axialTorque_Nm = 0.0;
-    core::ProcedureStage stage = core::ProcedureStage::outside;
-    std::uint32_t landmarksSeen = 0; ///< up to this row, one bit per landmark
-    double length_m = 0.0;
-    double bend_m = 0.0;
-    double goal_m = 0.0;
-    double lateralLimit_N = 0.0;
-    std::uint8_t landmarks = 0; ///< number of landmarks to be seen in this trial
 };
 
 /// One row: frame W, tool tip. SI here; the file uses mm and degrees. Absent columns keep the defaults.
@@ -74,11 +57,12 @@ struct TraceRow {
     bool timedOut = false;
     bool markInContact = false;
     core::Vec3 p_WMark_m = core::Vec3::Zero();
-    core::Vec3 target_m = core::Vec3::Zero(); ///< x, y of the apex (z unused)
+    core::Vec3 target_m = core::Vec3::Zero(); ///< x, y (z unused)
     double targetRadius_m = 0.0;
     double forceLimit_N = 0.0;
     core::Vec3 tissueTorque_Nm = core::Vec3::Zero(); ///< about the tip
-    InsertionRow insertion;
+    /// SI, in the order of OwnColumns::columns; empty without such columns.
+    std::vector<double> own;
     bool completed = false;   ///< per trial
     bool failed = false;      ///< per trial
     bool unfinished = false;  ///< per trial

@@ -45,10 +45,10 @@ QString anyExercise() {
 bool mayNameExercises(const QString& path) {
     static const QRegularExpression own(
         QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
-    static const QRegularExpression catalogue(
-        QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/"
-                       "exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$|"
-                       "^app/exercises/exercise_catalogue\\.h$"));
+    static const QRegularExpression catalogue(QStringLiteral(
+        "^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/"
+        "exercise_contents|curriculum/scoring/(metric|critical_error|own_column)_catalogue)\\.cpp$|"
+        "^app/exercises/exercise_catalogue\\.h$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 

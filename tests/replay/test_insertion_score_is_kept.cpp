@@ -3,6 +3,7 @@
 // recording and from the exported file, and what they count is marked in playback.
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "core/units.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
@@ -152,8 +153,8 @@ void TestInsertionScoreIsKept::exportedTraceAgrees() {
     QVERIFY2(done, done ? "" : done.error().message.c_str());
     const auto rows = scoring::readTraceCsvFile(path.toStdString());
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
-    QVERIFY(rows->columns.insertion && rows->columns.torque && rows->columns.orientation &&
-            !rows->columns.target);
+    QVERIFY(rows->columns.own == &scoring::canalColumns() && rows->columns.torque &&
+            rows->columns.orientation && !rows->columns.target);
     const auto trace = scoring::buildSessionTrace(*rows, "urethra_insertion");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
     QVERIFY(trace->trials.at(0).completed);

@@ -143,7 +143,7 @@ void TestScoreIsKept::exportedTraceOfAStoppedSetCanBeRead() {
 void TestScoreIsKept::exportHasNoColumnsOfOtherExercises() {
     const auto rows = exported(m_result.session);
     QVERIFY(rows.columns.target && rows.columns.orientation);
-    QVERIFY(!rows.columns.insertion && !rows.columns.torque);
+    QVERIFY(rows.columns.own == nullptr && !rows.columns.torque);
 }
 
 void TestScoreIsKept::refusedPacketsAreNotExported() {

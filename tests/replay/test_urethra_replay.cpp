@@ -3,6 +3,7 @@
 #include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
+#include "support/insertion_in.h"
 #include "support/looked_back.h"
 #include "support/session_fixture.h"
 #include "support/urethra_trace.h"
@@ -11,7 +12,7 @@
 #include <cmath>
 
 using namespace chiron;
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 using tests::OpenStored;
 using tests::SessionFixture;
 
@@ -140,8 +141,8 @@ void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
     auto trace = tests::traceOf(*stored.session);
     QVERIFY(frames && trace);
     QCOMPARE(trace->trials.size(), std::size_t{1});
-    QVERIFY(trace->trials[0].insertion.has_value());
-    const scoring::InsertionSeries& series = *trace->trials[0].insertion;
+    QVERIFY(trace->trials[0].own);
+    const scoring::InsertionSeries& series = insertionIn(trace->trials[0]);
     std::vector<double> changes_s;
     std::vector<double> seen_s;
     for (const core::HapticFrame& frame : *frames) {

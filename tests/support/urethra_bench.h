@@ -52,8 +52,8 @@ public:
         : m_p(p), m_plan(simulation::procedurePlan(p)), m_step_m(speed_m_per_s * 1e-3) {}
 
     /// The pose at the next tick, given where the procedure stands.
-    core::ToolState next(core::ProcedureStage stage, int landmark) {
-        using core::ProcedureStage;
+    core::ToolState next(simulation::ProcedureStage stage, int landmark) {
+        using simulation::ProcedureStage;
         if (stage == ProcedureStage::inspection && landmark >= 0) {
             const auto& at = m_plan.landmark_A[static_cast<std::size_t>(landmark)];
             const simulation::UrethraCentreline line(m_p.anatomy);

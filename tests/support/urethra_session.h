@@ -12,6 +12,7 @@
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 #include "scoring/trace.h"
+#include "support/insertion_in.h"
 
 #include <algorithm>
 #include <array>
@@ -107,8 +108,8 @@ public:
         : m_kinematics(kinematics), m_level(level), m_forces(level.anatomy, level.endoscope, level.forces),
           m_tracker(simulation::procedurePlan(level)) {
         m_trial.tools.resize(1);
-        m_trial.insertion.emplace();
-        m_trial.insertion->lateralLimit_N = level.lateralLimit_N;
+        m_trial.own = std::make_shared<scoring::InsertionSeries>();
+        insertionIn(m_trial).lateralLimit_N = level.lateralLimit_N;
     }
     bool tryPush(const core::HapticFrame& frame) noexcept override {
         namespace bits = core::event_bits;
@@ -124,7 +125,7 @@ public:
         return true;
     }
     UrethraOutcome finish() {
-        const scoring::InsertionSeries& series = *m_trial.insertion;
+        const scoring::InsertionSeries& series = insertionIn(m_trial);
         const scoring::InsertionEvents events = scoring::insertionEvents(m_trial);
         outcome.trauma = events.trauma.size();
         outcome.reversals = events.reversals.size();
@@ -135,7 +136,7 @@ public:
         for (std::size_t i = 0; i < series.s_m.size(); ++i) {
             outcome.depth_mm = std::max(outcome.depth_mm, 1e3 * series.s_m[i]);
             const double alignment2 = series.alignment_rad[i] * series.alignment_rad[i];
-            if (series.stage[i] == static_cast<std::uint8_t>(core::ProcedureStage::insertion) &&
+            if (series.stage[i] == static_cast<std::uint8_t>(simulation::ProcedureStage::insertion) &&
                 series.s_m[i] >= bend && series.s_m[i] <= bend + 0.030) { // curve_alignment
                 b2 += alignment2;
                 ++atBend;
@@ -181,7 +182,7 @@ private:
         const core::Wrench tissue = core::toWrench(frame.tool[0].tissue);
         const core::Vec3 t_W = m_level.pose.vectorToW(r.foot.at.t_A);
         const double lateral = (tissue.force - tissue.force.dot(t_W) * t_W).norm();
-        scoring::InsertionSeries& series = *m_trial.insertion;
+        scoring::InsertionSeries& series = insertionIn(m_trial);
         m_trial.tools[0].t_s.push_back(1e-3 * static_cast<double>(series.s_m.size()));
         m_trial.tools[0].paused.push_back(0);
         series.s_m.push_back(r.foot.at.s_m);

@@ -121,12 +121,20 @@ void PlaybackPlots::add(std::unique_ptr<report::PlotView> view, const char* name
     m_ofLayer.push_back(laidOut(std::move(view), name, kLowHeight_px));
 }
 
-void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values,
-                              double factor) const {
-    if (!m_ghost || (m_ghost->*values).empty())
+void PlaybackPlots::addSecond(report::PlotView& view, std::string_view derived, double factor) const {
+    if (!m_ghost)
+        return;
+    for (const session::PlaybackQuantity& series : m_ghost->derived)
+        if (series.id == derived)
+            addSecondLine(view, series.values, factor);
+}
+
+void PlaybackPlots::addSecondLine(report::PlotView& view, std::span<const double> values,
+                                  double factor) const {
+    if (values.empty())
         return;
     std::vector<double> scaled;
-    for (const double value : m_ghost->*values)
+    for (const double value : values)
         scaled.push_back(factor * value);
     const bool several = m_series.tools.size() > 1; // a ghost shows its first tool
     view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName,
@@ -146,7 +154,8 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     m_ghost = ghost ? &*ghost : nullptr;
     m_ghostName = name;
     auto force = report::forcePlot(m_series, m_limit_N, look);
-    addSecond(*force, &session::GhostSeries::tissue_N, 1.0);
+    if (m_ghost)
+        addSecondLine(*force, m_ghost->tissue_N, 1.0);
     slim(*force, {});
     if (m_series.tools.size() > 1)
         force->setYAxis({tr("Tissue force (N)"), 0.0, {}}); // the felt force has a plot of its own
@@ -159,7 +168,8 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     if (m_layer)
         m_layer->addPlots(*this);
     auto speed = report::speedPlot(m_series, look);
-    addSecond(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
+    if (m_ghost)
+        addSecondLine(*speed, m_ghost->speed_m_per_s, 1e3);
     putLow(std::move(speed), m_speed, "playback.speed_plot", tr("Speed (mm/s)"), true);
     m_ghost = nullptr;
 }

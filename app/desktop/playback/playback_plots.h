@@ -12,6 +12,8 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 class QPushButton;
@@ -62,9 +64,8 @@ public:
     std::unique_ptr<report::PlotView> empty(const QString& title) const;
     /// Adds a plot below the others.
     void add(std::unique_ptr<report::PlotView> view, const char* name, const LayerPlotLook& look);
-    /// Adds the line of the second session, if there is one and it has these values.
-    void addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values,
-                   double factor) const;
+    /// Adds the line of the second session, if there is one and it has the derived series with this id.
+    void addSecond(report::PlotView& view, std::string_view derived, double factor) const;
 
 signals:
     void seekAsked(double t_s);
@@ -83,6 +84,8 @@ private:
     void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name,
                 const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
+    /// Adds the line of the second session, if there is one and it has these values.
+    void addSecondLine(report::PlotView& view, std::span<const double> values, double factor) const;
 
     const Theme& m_theme;
     QLocale m_locale;

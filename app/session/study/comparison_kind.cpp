@@ -71,7 +71,8 @@ std::vector<std::string> ComparisonKind::operatorNames() const {
 }
 
 core::Result<ScriptedTrainee> ComparisonKind::makeOperator(const catalogue::ExerciseLevel& level,
-                                                           const std::string& name, std::uint64_t) const {
+                                                           const std::string& name, std::uint64_t,
+                                                           const HeldDevices&) const {
     if (name != kOperators[0])
         return operators::unknownOperator(name, kOperators);
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parametersOf(level)));

@@ -21,7 +21,7 @@ public:
     /// "participant" explores every position of every trial and never answers; the answers come from the
     /// study's runner.
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                               std::uint64_t seed) const override;
+                                               std::uint64_t seed, const HeldDevices& held) const override;
     std::vector<std::string> operatorNames() const override;
     /// One per trial that the study presents.
     int trialCount(const catalogue::ExerciseLevel&) const override { return 1; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units.h"
 #include "cues/laparoscopy_cues.h"
-#include "cues/procedure_stage.h"
 #include "scoring/median.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"
@@ -89,22 +88,22 @@ Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
                        : Measurement::undefined(reasons::kEndsTooNear);
 }
 
-/// Length of the tip's path, and its progress along the centre-line, in those stages of one trial that follow
-/// the centre-line, m.
-class StagesOfCanal {
+/// Length of the tip's path, and its progress along a line that it has to follow, in those parts of one trial
+/// that follow the line, m.
+class PartsOfWay {
 public:
-    explicit StagesOfCanal(const PreparedTrial& trial) : m_trial(trial), m_series(*trial.trial->insertion) {}
+    explicit PartsOfWay(const PreparedTrial& trial) : m_trial(trial), m_way(trial.trial->own->way()) {}
 
-    /// Returns 100 (L/D − 1) over insertion and withdrawal, using each only if its progress is at least 5 mm;
-    /// none if neither is.
+    /// Returns 100 (L/D − 1) over these parts, using each only if its progress is at least 5 mm; none if no
+    /// part is.
     std::optional<double> percent() {
         double length_m = 0.0, own_m = 0.0;
-        for (const auto stage : {core::ProcedureStage::insertion, core::ProcedureStage::withdrawal}) {
-            const double own = ownWay_m(stage);
+        for (const std::uint8_t part : m_way.parts) {
+            const double own = ownWay_m(part);
             if (own < kShortest_m)
                 continue;
             own_m += own;
-            length_m += length(stage);
+            length_m += length(part);
         }
         if (own_m < kShortest_m)
             return std::nullopt;
@@ -112,26 +111,26 @@ public:
     }
 
 private:
-    bool is(std::size_t i, core::ProcedureStage stage) const {
-        return m_trial.tool->paused[i] == 0 && m_series.stage[i] == static_cast<std::uint8_t>(stage);
+    bool is(std::size_t i, std::uint8_t part) const {
+        return m_trial.tool->paused[i] == 0 && m_way.part[i] == part;
     }
-    double ownWay_m(core::ProcedureStage stage) const {
+    double ownWay_m(std::uint8_t part) const {
         std::optional<double> first_m;
         double last_m = 0.0;
         for (std::size_t i = 0; i < m_trial.tool->t_s.size(); ++i)
-            if (is(i, stage)) {
-                last_m = m_series.s_m[i];
+            if (is(i, part)) {
+                last_m = m_way.s_m[i];
                 first_m = first_m.value_or(last_m);
             }
         return first_m ? std::abs(last_m - *first_m) : 0.0;
     }
-    double length(core::ProcedureStage stage) const {
+    double length(std::uint8_t part) const {
         double length_m = 0.0;
         std::size_t at = 0;
         const auto now = [&](double t_s) {
             while (at + 1 < m_trial.tool->t_s.size() && m_trial.tool->t_s[at + 1] <= t_s)
                 ++at;
-            return is(at, stage);
+            return is(at, part);
         };
         for (const MotionRun& run : m_trial.motion.runs)
             for (std::size_t i = 0; i + 1 < run.p_WT_m.size(); ++i) {
@@ -143,7 +142,7 @@ private:
     }
 
     const PreparedTrial& m_trial;
-    const InsertionSeries& m_series;
+    WayAlongLine m_way;
 };
 
 /// Length of the tip's path, and the straight distance, in each step of a task that consists of successive
@@ -215,14 +214,14 @@ Measurement meanOverTrials(std::span<const PreparedTrial> trials,
                        : Measurement::undefined(reasons::kEndsTooNear);
 }
 
-/// In a canal this uses its stages, elsewhere version 1.
+/// Along a line that has to be followed (a canal) this uses its parts, elsewhere version 1.
 Measurement measurePathInefficiency2(std::span<const PreparedTrial> trials) {
-    const auto inCanal = [](const PreparedTrial& trial) {
-        return trial.tool != nullptr && trial.trial->insertion;
+    const auto alongLine = [](const PreparedTrial& trial) {
+        return trial.tool != nullptr && trial.trial->own && !trial.trial->own->way().parts.empty();
     };
-    if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inCanal))
+    if (trials.empty() || !std::all_of(trials.begin(), trials.end(), alongLine))
         return measurePathInefficiency(trials);
-    return meanOverTrials(trials, [](const PreparedTrial& trial) { return StagesOfCanal(trial).percent(); });
+    return meanOverTrials(trials, [](const PreparedTrial& trial) { return PartsOfWay(trial).percent(); });
 }
 
 /// In a task with steps this uses the steps, elsewhere version 2.

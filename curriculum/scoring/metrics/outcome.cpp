@@ -17,7 +17,7 @@ Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
         return Measurement::undefined(reasons::kNoTrials);
     // An exercise in which a mark ends the trial has no procedure to complete.
     for (const PreparedTrial& trial : trials)
-        if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
+        if (trial.tool == nullptr || (!trial.trial->own && trial.trial->quantities.empty()))
             return Measurement::undefined(reasons::kNoProcedure);
     std::size_t done = 0;
     for (const PreparedTrial& trial : trials)

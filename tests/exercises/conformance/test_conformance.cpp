@@ -506,7 +506,7 @@ void TestConformance::everyTrialHasItsTruth() {
                 trial.trial)) // what is not an object (a canal) is drawn from the level alone
             QVERIFY2(object->p_WObject.allFinite() && std::isfinite(object->radius_m),
                      "the object lies nowhere");
-        QVERIFY2(trial.apex || trial.insertion || !trial.truth.empty(), "metrics know nothing of it");
+        QVERIFY2(trial.target || trial.own || !trial.truth.empty(), "metrics know nothing of it");
         for (const scoring::NamedValue& value : trial.truth)
             QVERIFY2(!value.id.empty() && std::isfinite(value.value), value.id.c_str());
         const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(trials[i].sceneJson));
@@ -520,7 +520,7 @@ void TestConformance::everyTrialHasItsTruth() {
         scoring::TrialTrace beyond;
         beyond.trial = number;
         kind().addTruth(stored.view->setup().level, stored.view->setup().seed, beyond);
-        QVERIFY2(beyond.truth.empty() && !beyond.apex, qPrintable(QString::number(number)));
+        QVERIFY2(beyond.truth.empty() && !beyond.target, qPrintable(QString::number(number)));
     }
 }
 

@@ -506,10 +506,10 @@ private slots:
     void stages() {
         simulation::EndoscopeCues cues;
         cues.landmarks = 5;
-        for (int s = 0; s <= static_cast<int>(core::ProcedureStage::completed); ++s)
+        for (int s = 0; s <= static_cast<int>(simulation::ProcedureStage::completed); ++s)
             for (const double depth_m : {-0.01, 0.0, 0.0324, 0.097, 0.12})
                 for (const bool numbers : {false, true}) {
-                    cues.stage = static_cast<core::ProcedureStage>(s);
+                    cues.stage = static_cast<simulation::ProcedureStage>(s);
                     cues.depth_m = depth_m;
                     cues.dwell = numbers ? 0.4 : 0.0;
                     cues.landmarksSeen = numbers ? 0b1011 : 0;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
+#include "support/insertion_in.h"
 
 #include <cmath>
+#include <memory>
 
 namespace chiron::tests {
 
@@ -12,8 +14,8 @@ namespace chiron::tests {
 inline scoring::SessionTrace madeTrace(double begin_s = 2.0) {
     scoring::TrialTrace trial;
     trial.tools.resize(1);
-    trial.insertion.emplace();
-    scoring::InsertionSeries& series = *trial.insertion;
+    trial.own = std::make_shared<scoring::InsertionSeries>();
+    scoring::InsertionSeries& series = insertionIn(trial);
     series.length_m = 0.05;
     series.bend_m = 0.03;
     series.goal_m = 0.06;
@@ -21,13 +23,13 @@ inline scoring::SessionTrace madeTrace(double begin_s = 2.0) {
     for (int i = 0; i <= 7000; ++i) {
         const double t_s = 1e-3 * i;
         const double s_m = t_s < 3.0 ? 0.02 * t_s : t_s < 4.0 ? 0.06 : 0.06 - 0.02 * (t_s - 4.0);
-        const core::ProcedureStage stage = t_s < 3.0   ? core::ProcedureStage::insertion
-                                           : t_s < 4.0 ? core::ProcedureStage::inspection
-                                                       : core::ProcedureStage::withdrawal;
+        const simulation::ProcedureStage stage = t_s < 3.0   ? simulation::ProcedureStage::insertion
+                                                 : t_s < 4.0 ? simulation::ProcedureStage::inspection
+                                                             : simulation::ProcedureStage::withdrawal;
         trial.tools[0].t_s.push_back(begin_s + t_s);
         trial.tools[0].paused.push_back(0);
         series.s_m.push_back(s_m);
-        series.offset_m.push_back(stage == core::ProcedureStage::withdrawal ? 0.002 : 0.001);
+        series.offset_m.push_back(stage == simulation::ProcedureStage::withdrawal ? 0.002 : 0.001);
         series.alignment_rad.push_back(s_m > 0.03 ? 0.2 : 0.1);
         series.stage.push_back(static_cast<std::uint8_t>(stage));
     }

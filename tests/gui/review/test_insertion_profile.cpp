@@ -3,13 +3,14 @@
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "gui/review/made_insertion.h"
 #include "report/plot_view.h"
+#include "support/insertion_in.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <numbers>
 
 using namespace chiron;
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 using tests::madeTrace;
 using tests::madeTrack;
 
@@ -44,7 +45,7 @@ void TestInsertionProfile::landmarksUpToAMoment() {
 
 void TestInsertionProfile::theProfileIsTheLargestOfEachMillimetre() {
     scoring::SessionTrace trace = madeTrace();
-    trace.trials[0].insertion->offset_m[1001] = 0.0055; // 20.02 mm: one sample alone
+    insertionIn(trace.trials[0]).offset_m[1001] = 0.0055; // 20.02 mm: one sample alone
     const auto profile = session_report::insertionProfileOf(trace);
     QVERIFY(profile.has_value());
     const auto at = [&](double depth_mm) {
@@ -66,7 +67,7 @@ void TestInsertionProfile::theProfileIsTheLargestOfEachMillimetre() {
 
 void TestInsertionProfile::pausesDoNotCount() {
     scoring::SessionTrace trace = madeTrace();
-    trace.trials[0].insertion->offset_m[1001] = 0.0055;
+    insertionIn(trace.trials[0]).offset_m[1001] = 0.0055;
     trace.trials[0].tools[0].paused[1001] = 1;
     const auto profile = session_report::insertionProfileOf(trace);
     double most = 0.0;

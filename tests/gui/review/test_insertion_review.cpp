@@ -23,7 +23,7 @@
 using chiron::tests::kPatience_ms;
 
 using namespace chiron;
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 using tests::madeTrack;
 
 namespace {
@@ -71,7 +71,7 @@ void TestInsertionReview::plotsOfACanal() {
     plots.showCursor(3.0);
     QCOMPARE(plots.findChild<report::PlotView*>(QStringLiteral("playback.offset_plot"))->cursorX(), 3.0);
     const report::SampleSeries series = session_report::seriesOf(track, insertionLevel(), QLocale::c());
-    QCOMPARE(series.offset_mm.size(), series.t_s.size());
+    QCOMPARE(series.derivedValues(session::kOffsetSeries).size(), series.t_s.size());
     QVERIFY(series.events.empty()); // one procedure has no numbers
     const auto profile = session_report::insertionProfileOf(track);
     QVERIFY(report::offsetDepthPlot(*profile, report::lightTheme(QLocale::c()))->legendTexts().size() >=
@@ -97,7 +97,9 @@ void TestInsertionReview::theGhostHasItsOwnLines() {
     desktop::InsertionLayer layer(true);
     const session::PlaybackTrack track = madeTrack();
     const session::GhostSeries series = session::ghostSeries(track, track);
-    QCOMPARE(series.offset_m.size(), series.t_s.size());
+    QCOMPARE(series.derived.size(), std::size_t{2});
+    for (const session::PlaybackQuantity& derived : series.derived)
+        QCOMPARE(derived.values.size(), series.t_s.size());
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::dark, 1.0).value();
     desktop::PlaybackPlots plots(theme, QLocale::c(), track, insertionLevel(), &layer);
     plots.setGhost(series, QStringLiteral("other"));
@@ -112,9 +114,9 @@ void TestInsertionReview::withoutASeriesNothingIsAdded() {
     desktop::InsertionLayer layer(true);
     session::PlaybackTrack track = madeTrack();
     track.own.reset();
-    track.canal = {};
+    track.derived.clear();
     QVERIFY(!session::insertionAt(track, 4.0));
-    QVERIFY(session_report::seriesOf(track, insertionLevel(), QLocale::c()).offset_mm.empty());
+    QVERIFY(session_report::seriesOf(track, insertionLevel(), QLocale::c()).derived.empty());
     QVERIFY(
         !desktop::sceneStateAt(track, nullptr, 4.0, &layer).exercise.of<simulation::EndoscopeCues>().present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();

@@ -11,6 +11,7 @@
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/playback/scrubber.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"

@@ -3,10 +3,10 @@
 
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 #include "core/units.h"
-#include "cues/procedure_stage.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_stage.h"
 
 #include <cmath>
 
@@ -68,8 +68,9 @@ inline SceneState urethraState(const SceneSetup& setup, const ScopePose& pose) {
     for (int k = 0; k < 3; ++k)
         state.exercise.own<simulation::EndoscopeCues>().toLumen_T[std::size_t(k)] = seen[k] / ahead.norm();
     state.exercise.own<simulation::EndoscopeCues>().guided = setup.cues.guidance;
-    state.exercise.own<simulation::EndoscopeCues>().stage =
-        pose.s_m > line.length_m() ? core::ProcedureStage::inspection : core::ProcedureStage::insertion;
+    state.exercise.own<simulation::EndoscopeCues>().stage = pose.s_m > line.length_m()
+                                                                ? simulation::ProcedureStage::inspection
+                                                                : simulation::ProcedureStage::insertion;
     return state;
 }
 

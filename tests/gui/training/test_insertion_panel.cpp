@@ -16,8 +16,8 @@
 
 using namespace chiron;
 using namespace chiron::desktop;
-using core::ProcedureStage;
 using core::Vec3;
+using simulation::ProcedureStage;
 using tests::Posed;
 using tests::posedAt;
 

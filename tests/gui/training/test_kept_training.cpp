@@ -52,7 +52,7 @@ haptics::DisplayState working(const QString& exercise) {
     if (exercise == "urethra_insertion") {
         auto& scope = state.exercise.own<simulation::EndoscopeCues>();
         scope.present = scope.pictureShown = scope.guided = true;
-        scope.stage = core::ProcedureStage::insertion;
+        scope.stage = simulation::ProcedureStage::insertion;
         scope.depth_m = 0.0612;
         scope.landmarks = 5;
     }
@@ -111,7 +111,7 @@ haptics::DisplayState overLimits(const QString& exercise) {
     state.lateTicks = 3;
     if (exercise == "urethra_insertion") {
         auto& scope = state.exercise.own<simulation::EndoscopeCues>();
-        scope.stage = core::ProcedureStage::inspection;
+        scope.stage = simulation::ProcedureStage::inspection;
         scope.landmarksSeen = 0b101;
         scope.dwell = 0.5;
         scope.depth_m = 0.151;
@@ -151,7 +151,7 @@ haptics::DisplayState between(const QString& exercise) {
     if (exercise == "urethra_insertion") {
         auto& scope = state.exercise.own<simulation::EndoscopeCues>();
         scope.present = true;
-        scope.stage = core::ProcedureStage::completed;
+        scope.stage = simulation::ProcedureStage::completed;
         scope.landmarks = 5;
         scope.landmarksSeen = 0b11111;
     }

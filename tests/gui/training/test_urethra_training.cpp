@@ -17,8 +17,8 @@
 
 using namespace chiron;
 using namespace chiron::tests;
-using core::ProcedureStage;
 using database::SessionState;
+using simulation::ProcedureStage;
 
 namespace {
 

@@ -94,7 +94,7 @@ void takeUrethra(TrainingBench& bench, Album& album) {
                      {QStringLiteral("device"), QStringLiteral("demonstration")},
                      {QStringLiteral("operator"), QLatin1String(who)}});
     };
-    const auto until = [&bench](core::ProcedureStage stage, double depth_m) {
+    const auto until = [&bench](simulation::ProcedureStage stage, double depth_m) {
         (void)QTest::qWaitFor(
             [&] {
                 return bench.state().exercise.of<simulation::EndoscopeCues>().stage >= stage &&
@@ -103,11 +103,11 @@ void takeUrethra(TrainingBench& bench, Album& album) {
             kPatience_ms);
     };
     train(3, "novice");
-    until(core::ProcedureStage::insertion, 0.05);
+    until(simulation::ProcedureStage::insertion, 0.05);
     album.take("urethra_insertion", 100);
     bench.key(Qt::Key_F);
     album.take("urethra_depth_of_field", 300);
-    until(core::ProcedureStage::inspection, 0.0);
+    until(simulation::ProcedureStage::inspection, 0.0);
     album.take("urethra_inspection", 1500);
     bench.key(Qt::Key_F5);
     album.take("urethra_again", 500);

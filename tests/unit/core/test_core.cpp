@@ -13,9 +13,9 @@
 #include "core/units.h"
 #include "core/visible_cues.h"
 #include "cues/laparoscopy_cues.h"
-#include "cues/procedure_stage.h"
 #include "modules/exercises/palpation/cues/findings_book.h"
 #include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_stage.h"
 #include "support/cue_numbers.h"
 
 #include <QDirIterator>
@@ -234,7 +234,7 @@ void TestCore::numbersOfTheRecording() {
     using R = ReportField;
     numbers({of(R::found), of(R::size), of(R::hardness), of(R::confidence), of(R::remove), of(R::select),
              of(R::done)});
-    using S = ProcedureStage;
+    using S = chiron::simulation::ProcedureStage;
     numbers({of(S::outside), of(S::insertion), of(S::inspection), of(S::withdrawal), of(S::completed)});
     using L = LaparoscopyStep;
     numbers({of(L::none), of(L::grasp), of(L::stretch), of(L::hold), of(L::handOver), of(L::lift),

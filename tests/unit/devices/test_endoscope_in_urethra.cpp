@@ -51,7 +51,7 @@ private:
 
 struct Run {
     FrameStore store{45'000};
-    core::ProcedureStage farthest = core::ProcedureStage::outside;
+    simulation::ProcedureStage farthest = simulation::ProcedureStage::outside;
     double deepest_m = -1.0;
     bool over = false;
 };
@@ -125,7 +125,7 @@ private slots:
         }
         qInfo("deepest %.1f mm, at most %.2f N and %.0f mN.m, steps %.3f N, at rest within %.3f N",
               1e3 * run.deepest_m, strongest, 1e3 * hardest, jump, (high - low).maxCoeff());
-        QVERIFY(run.farthest >= core::ProcedureStage::withdrawal);
+        QVERIFY(run.farthest >= simulation::ProcedureStage::withdrawal);
         QVERIFY(run.deepest_m > 0.149);
         QVERIFY(strongest > 0.2 && strongest < 4.0);
         QVERIFY(tilt_deg == 0.0 || hardest > 0.030);

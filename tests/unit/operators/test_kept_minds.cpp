@@ -9,13 +9,13 @@
 #include "core/tool_state.h"
 #include "core/units.h"
 #include "cues/laparoscopy_cues.h"
-#include "cues/procedure_stage.h"
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_stage.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "simulation/palpation/tissue_surface.h"
 
@@ -202,20 +202,21 @@ void TestKeptMinds::canal() {
         const double depth_m = hand.p.y() - 0.01;
         const double into_s = std::fmod(time_s, 57.0) - 2.0;
         if (into_s < 0.0) {
-            scope.stage = core::ProcedureStage::outside;
+            scope.stage = simulation::ProcedureStage::outside;
             scope.landmarksSeen = 0;
             dwell_s = held_s = 0.0;
             hand.p = Vec3(0.0, 0.004, 0.0);
             hand.v.setZero();
-        } else if (scope.stage == core::ProcedureStage::outside && depth_m > 0.0) {
-            scope.stage = core::ProcedureStage::insertion;
-        } else if (scope.stage == core::ProcedureStage::insertion && (depth_m > 0.06 || into_s > 24.0)) {
-            scope.stage = core::ProcedureStage::inspection;
-        } else if (scope.stage == core::ProcedureStage::inspection &&
+        } else if (scope.stage == simulation::ProcedureStage::outside && depth_m > 0.0) {
+            scope.stage = simulation::ProcedureStage::insertion;
+        } else if (scope.stage == simulation::ProcedureStage::insertion &&
+                   (depth_m > 0.06 || into_s > 24.0)) {
+            scope.stage = simulation::ProcedureStage::inspection;
+        } else if (scope.stage == simulation::ProcedureStage::inspection &&
                    (scope.landmarksSeen == 3 || into_s > 42.0)) {
-            scope.stage = core::ProcedureStage::withdrawal;
-        } else if (scope.stage == core::ProcedureStage::withdrawal && depth_m < 0.0) {
-            scope.stage = core::ProcedureStage::completed;
+            scope.stage = simulation::ProcedureStage::withdrawal;
+        } else if (scope.stage == simulation::ProcedureStage::withdrawal && depth_m < 0.0) {
+            scope.stage = simulation::ProcedureStage::completed;
         }
         scope.pictureShown = cues.trial == 0 || std::fmod(into_s, 7.0) > 0.5;
         scope.guided = cues.trial == 0;
@@ -231,7 +232,7 @@ void TestKeptMinds::canal() {
         scope.lumenDistance_m = 0.02 + 0.01 * std::sin(time_s);
         scope.landmarkShown = false;
         scope.toLandmark_T = {};
-        if (scope.stage == core::ProcedureStage::inspection) {
+        if (scope.stage == simulation::ProcedureStage::inspection) {
             const Vec3 at_D = scope.landmarksSeen == 0 ? Vec3(0.01, 0.04, 0.015) : Vec3(-0.018, 0.035, -0.01);
             const Vec3 at_T = hand.q.conjugate() * at_D;
             const double off_rad = std::acos(std::clamp(view.dot(at_D.normalized()), -1.0, 1.0));
@@ -249,7 +250,7 @@ void TestKeptMinds::canal() {
         seen.t_T_D = Vec3(0.012 * std::sin(2.0 * time_s), 0.0, 0.01 * std::cos(1.3 * time_s));
         const Vec3 before = hand.p;
         hand.follow((*mind)->decide(seen));
-        held_s = std::fmod(into_s, 17.0) > 11.0 && scope.stage == core::ProcedureStage::insertion
+        held_s = std::fmod(into_s, 17.0) > 11.0 && scope.stage == simulation::ProcedureStage::insertion
                      ? held_s + kTick_s
                      : 0.0;
         if (held_s > 0.0) // stuck

@@ -40,7 +40,7 @@ inline SessionTrace busySession() {
         trial.timedOut = k == 2;
         trial.markInContact = true;
         trial.p_WMark_m = trial.tools[0].p_WT_m.back();
-        trial.apex = chiron::scoring::ApexTruth{0.03 * random.uniform(), -0.03 * random.uniform(), 0.020};
+        trial.target = chiron::scoring::TargetTruth{0.03 * random.uniform(), -0.03 * random.uniform(), 0.020};
         trace.trials.push_back(std::move(trial));
     }
     return trace;

@@ -6,6 +6,7 @@
 #include "core/random.h"
 #include "modules/exercises/palpation/cues/report_word.h"
 #include "scoring/trace.h"
+#include "support/insertion_in.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,11 @@
 namespace chiron::tests {
 
 using core::Vec3;
-using scoring::ApexTruth;
 using scoring::InsertionSeries;
 using scoring::NamedValue;
 using scoring::QuantityTrace;
 using scoring::SessionTrace;
+using scoring::TargetTruth;
 using scoring::ToolTrace;
 using scoring::TrialTrace;
 
@@ -144,7 +145,7 @@ inline SessionTrace drawn() {
         TrialTrace trial;
         trial.trial = k;
         trial.tools = {tool(seed), tool(seed + 40)};
-        trial.insertion = canal(seed + 60, trial.tools[0].t_s);
+        trial.own = std::make_shared<InsertionSeries>(canal(seed + 60, trial.tools[0].t_s));
         addScene(trial, seed + 70);
         trial.marked = k != 2;
         trial.timedOut = k == 2;
@@ -152,7 +153,7 @@ inline SessionTrace drawn() {
         trial.completed = k % 2 == 0;
         trial.failed = k == 3;
         trial.p_WMark_m = trial.tools[0].p_WT_m.back() + Vec3(0.002 * k, -0.001, 0.0);
-        trial.apex = ApexTruth{0.01 - 0.004 * k, 0.003 * k, 0.02};
+        trial.target = TargetTruth{0.01 - 0.004 * k, 0.003 * k, 0.02};
         trace.trials.push_back(std::move(trial));
     }
     return trace;
@@ -183,11 +184,11 @@ inline std::vector<std::pair<const char*, std::function<void(SessionTrace&)>>> c
         {"no tool",
          [](SessionTrace& trace) {
              trace.trials[1].tools.clear();
-             trace.trials[1].insertion.reset();
+             trace.trials[1].own.reset();
              trace.trials[1].quantities.clear();
          }},
         {"two samples", each([](TrialTrace& trial) {
-             trial.insertion.reset();
+             trial.own.reset();
              trial.quantities.clear();
              for (ToolTrace& one : trial.tools)
                  one = ToolTrace{{0.0, 0.01},
@@ -206,21 +207,22 @@ inline std::vector<std::pair<const char*, std::function<void(SessionTrace&)>>> c
         {"all unfinished", each([](TrialTrace& trial) { trial.unfinished = true; })},
         {"more than planned", [](SessionTrace& trace) { trace.plannedTrials = 3; }},
         {"not known how many", [](SessionTrace& trace) { trace.plannedTrials = 0; }},
-        {"no apex", [](SessionTrace& trace) { trace.trials[1].apex.reset(); }},
-        {"no canal", [](SessionTrace& trace) { trace.trials[1].insertion.reset(); }},
+        {"no apex", [](SessionTrace& trace) { trace.trials[1].target.reset(); }},
+        {"no canal", [](SessionTrace& trace) { trace.trials[1].own.reset(); }},
         {"nothing to be done",
          [](SessionTrace& trace) {
-             trace.trials[1].insertion.reset();
+             trace.trials[1].own.reset();
              trace.trials[1].quantities.clear();
          }},
         {"no torques", [](SessionTrace& trace) { trace.trials[1].tools[0].tissueTorque_Nm.clear(); }},
         {"no contact bits", each([](TrialTrace& trial) { trial.tools[0].contact.clear(); })},
-        {"no landmarks", each([](TrialTrace& trial) { trial.insertion->landmarkSeen_s.clear(); })},
-        {"never inside",
-         each([](TrialTrace& trial) { trial.insertion->s_m.assign(trial.insertion->s_m.size(), -0.001); })},
+        {"no landmarks", each([](TrialTrace& trial) { insertionIn(trial).landmarkSeen_s.clear(); })},
+        {"never inside", each([](TrialTrace& trial) {
+             insertionIn(trial).s_m.assign(insertionIn(trial).s_m.size(), -0.001);
+         })},
         {"never inspected", each([](TrialTrace& trial) {
-             std::replace(trial.insertion->stage.begin(), trial.insertion->stage.end(), std::uint8_t{2},
-                          std::uint8_t{1});
+             std::vector<std::uint8_t>& stage = insertionIn(trial).stage;
+             std::replace(stage.begin(), stage.end(), std::uint8_t{2}, std::uint8_t{1});
          })},
         {"never held", each([](TrialTrace& trial) {
              std::replace(trial.quantities[0].values.begin(), trial.quantities[0].values.end(), 3.0, 2.0);

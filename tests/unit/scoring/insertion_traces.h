@@ -2,18 +2,20 @@
 #pragma once
 
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "support/insertion_in.h"
 #include "traces.h"
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 /// Trials through a canal, made from formulas.
 namespace traces {
 
-using chiron::core::ProcedureStage;
 using chiron::scoring::InsertionSeries;
+using chiron::simulation::ProcedureStage;
 
 /// What one sample of a canal says, as a function of time (SI).
 struct CanalSample {
@@ -46,7 +48,7 @@ inline TrialTrace canalTrial(double duration_s, double step_s,
     series.bend_m = 0.040;
     series.goal_m = 0.080;
     series.lateralLimit_N = 2.0;
-    trial.insertion = std::move(series);
+    trial.own = std::make_shared<InsertionSeries>(std::move(series));
     return trial;
 }
 

@@ -29,7 +29,7 @@ TrialTrace apexTrial(double x_mm, double y_mm, bool contact = true) {
     trial.marked = true;
     trial.markInContact = contact;
     trial.p_WMark_m = Vec3(x_mm / 1e3, y_mm / 1e3, 0.02);
-    trial.apex = ApexTruth{0.010, -0.005, 0.020};
+    trial.target = TargetTruth{0.010, -0.005, 0.020};
     return trial;
 }
 
@@ -181,7 +181,7 @@ void TestForceAndApexMetrics::apexWithoutMarkScoresLastPosition() {
 void TestForceAndApexMetrics::apexWithoutTruthHasReason() {
     SessionTrace trace;
     trace.trials = {apexTrial(12.0, -5.0), apexTrial(12.0, -5.0)};
-    trace.trials[1].apex.reset();
+    trace.trials[1].target.reset();
     for (const char* id : {"apex_error_mean", "apex_error_sd", "apex_bias_x", "apex_bias_y", "apex_misses"}) {
         QVERIFY(!metricOf(trace, id).value); // no silent leaving out of a trial
         QVERIFY(metricOf(trace, id).reason.find("not known") != std::string::npos);

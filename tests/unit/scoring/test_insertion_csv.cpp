@@ -48,11 +48,11 @@ TrialTrace wildTrial(std::uint64_t seed) {
     }
     for (std::size_t i = 700; i < 900; ++i)
         tool.paused[i] = 1;
-    trial.insertion->length_m = 0.1098765432109;
-    trial.insertion->bend_m = 0.0401234567;
-    trial.insertion->goal_m = 0.11987654321;
-    trial.insertion->lateralLimit_N = 2.0003;
-    trial.insertion->landmarkSeen_s = {3.1, kNever, 3.4567894, 3.3};
+    insertionIn(trial).length_m = 0.1098765432109;
+    insertionIn(trial).bend_m = 0.0401234567;
+    insertionIn(trial).goal_m = 0.11987654321;
+    insertionIn(trial).lateralLimit_N = 2.0003;
+    insertionIn(trial).landmarkSeen_s = {3.1, kNever, 3.4567894, 3.3};
     trial.completed = true;
     return trial;
 }
@@ -106,13 +106,13 @@ void TestInsertionCsv::columnsOfACanal() {
                              row("0.001", "1,0,0,0,0,insertion,2") + row("0.002", "2,0,0,0,0,completed,3");
     const auto rows = readTraceCsv(text, "c.csv");
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
-    QVERIFY(rows->columns.insertion && !rows->columns.torque && !rows->columns.orientation);
+    QVERIFY(rows->columns.own == &canalColumns() && !rows->columns.torque && !rows->columns.orientation);
     const auto trace = buildSessionTrace(*rows, "urethra_insertion");
     QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
     const TrialTrace& trial = trace->trials.at(0);
-    QVERIFY(trial.insertion && trial.completed && trial.tools[0].q_WT.empty() &&
+    QVERIFY(trial.own && trial.completed && trial.tools[0].q_WT.empty() &&
             trial.tools[0].tissueTorque_Nm.empty());
-    const InsertionSeries& series = *trial.insertion;
+    const InsertionSeries& series = insertionIn(trial);
     QCOMPARE(series.s_m, (std::vector<double>{-0.0015, 0.001, 0.002}));
     QCOMPARE(series.offset_m[0], 0.0005);
     QVERIFY(std::abs(series.alignment_rad[0] - 2.25 * 3.14159265358979 / 180.0) < 1e-15);
@@ -130,7 +130,7 @@ void TestInsertionCsv::everyMetricIsKeptBitForBit() {
     TrialTrace second = wildTrial(2);
     for (double& t_s : second.tools[0].t_s)
         t_s += 10.0;
-    for (double& seen_s : second.insertion->landmarkSeen_s)
+    for (double& seen_s : insertionIn(second).landmarkSeen_s)
         seen_s += 10.0;
     const SessionTrace trace = canalSession({wildTrial(1), second});
     const SessionTrace back = again(trace);
@@ -160,19 +160,19 @@ void TestInsertionCsv::seriesAreKeptBitForBit() {
     const SessionTrace trace = canalSession(wildTrial(3));
     const auto a = onStoredGrids(trace)->trials[0];
     const auto b = onStoredGrids(again(trace))->trials[0];
-    QVERIFY(b.insertion && b.completed == a.completed);
-    QVERIFY(same(a.insertion->s_m, b.insertion->s_m));
-    QVERIFY(same(a.insertion->offset_m, b.insertion->offset_m));
-    QVERIFY(same(a.insertion->alignment_rad, b.insertion->alignment_rad));
-    QVERIFY(same(a.insertion->lateral_N, b.insertion->lateral_N));
-    QVERIFY(same(a.insertion->axialTorque_Nm, b.insertion->axialTorque_Nm));
-    QCOMPARE(a.insertion->stage, b.insertion->stage);
-    QVERIFY(same(a.insertion->length_m, b.insertion->length_m) &&
-            same(a.insertion->bend_m, b.insertion->bend_m));
-    QVERIFY(same(a.insertion->goal_m, b.insertion->goal_m) &&
-            same(a.insertion->lateralLimit_N, b.insertion->lateralLimit_N));
-    QVERIFY(std::isnan(b.insertion->landmarkSeen_s[1]));
-    QVERIFY(same(a.insertion->landmarkSeen_s[2], b.insertion->landmarkSeen_s[2]));
+    QVERIFY(b.own && b.completed == a.completed);
+    QVERIFY(same(insertionIn(a).s_m, insertionIn(b).s_m));
+    QVERIFY(same(insertionIn(a).offset_m, insertionIn(b).offset_m));
+    QVERIFY(same(insertionIn(a).alignment_rad, insertionIn(b).alignment_rad));
+    QVERIFY(same(insertionIn(a).lateral_N, insertionIn(b).lateral_N));
+    QVERIFY(same(insertionIn(a).axialTorque_Nm, insertionIn(b).axialTorque_Nm));
+    QCOMPARE(insertionIn(a).stage, insertionIn(b).stage);
+    QVERIFY(same(insertionIn(a).length_m, insertionIn(b).length_m) &&
+            same(insertionIn(a).bend_m, insertionIn(b).bend_m));
+    QVERIFY(same(insertionIn(a).goal_m, insertionIn(b).goal_m) &&
+            same(insertionIn(a).lateralLimit_N, insertionIn(b).lateralLimit_N));
+    QVERIFY(std::isnan(insertionIn(b).landmarkSeen_s[1]));
+    QVERIFY(same(insertionIn(a).landmarkSeen_s[2], insertionIn(b).landmarkSeen_s[2]));
     for (std::size_t i = 0; i < a.tools[0].t_s.size(); ++i) {
         QVERIFY(a.tools[0].q_WT[i].coeffs() == b.tools[0].q_WT[i].coeffs());
         QVERIFY(a.tools[0].tissueTorque_Nm[i] == b.tools[0].tissueTorque_Nm[i]);
@@ -206,8 +206,8 @@ void TestInsertionCsv::gridsAreIdempotent() {
 
 void TestInsertionCsv::landmarksAreSeenAtASample() {
     auto trial = canalTrial(0.01, 0.001, [](double) { return CanalSample{0.05}; });
-    trial.insertion->landmarkSeen_s = {0.0034, 0.003, 0.0, 0.0101, kNever};
-    const auto seen = traces::onGrids(trial).insertion->landmarkSeen_s;
+    insertionIn(trial).landmarkSeen_s = {0.0034, 0.003, 0.0, 0.0101, kNever};
+    const auto seen = insertionIn(traces::onGrids(trial)).landmarkSeen_s;
     QCOMPARE(seen[0], 0.004); // between two samples: the later one
     QCOMPARE(seen[1], 0.003);
     QCOMPARE(seen[2], 0.0);
@@ -218,32 +218,26 @@ void TestInsertionCsv::otherExercisesHaveNoneOfIt() {
     const auto sphere =
         traces::session(traces::sampled(0.1, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
     const TraceRows rows = rowsOf(sphere);
-    QVERIFY(!rows.columns.insertion && !rows.columns.torque && !rows.columns.orientation);
+    QVERIFY(rows.columns.own == nullptr && !rows.columns.torque && !rows.columns.orientation);
     QCOMPARE(
         traceCsvHeader(rows.columns),
         std::string(
             "t_s,x_mm,y_mm,z_mm,tool,fx_N,fy_N,fz_N,trial,paused,marked,timed_out,mark_in_contact,mark_x_mm,"
             "mark_y_mm,mark_z_mm,force_limit_N\n"));
-    QVERIFY(!again(sphere).trials[0].insertion);
+    QVERIFY(!again(sphere).trials[0].own);
 }
 
 void TestInsertionCsv::writesExactDecimals() {
     TraceRows rows;
-    rows.columns.torque = rows.columns.insertion = rows.columns.completed = true;
+    rows.columns.torque = rows.columns.completed = true;
+    rows.columns.own = &canalColumns();
     TraceRow r;
     r.tissueTorque_Nm = Vec3(-0.00001, 0.15, 0.00123);
-    r.insertion.arc_m = -0.010000001;
-    r.insertion.offset_m = 0.001234567;
-    r.insertion.alignment_rad = onMicrodegrees(12.345678 * 3.14159265358979323846 / 180.0);
-    r.insertion.lateral_N = 2.001;
-    r.insertion.axialTorque_Nm = 0.00999;
-    r.insertion.stage = ProcedureStage::withdrawal;
-    r.insertion.landmarksSeen = 5;
-    r.insertion.length_m = 0.11;
-    r.insertion.bend_m = 0.04;
-    r.insertion.goal_m = 0.12;
-    r.insertion.lateralLimit_N = 2.0;
-    r.insertion.landmarks = 3;
+    // arc, offset, alignment, lateral, axial, stage, landmarks seen; length, bend, goal, limit, landmarks
+    r.own = {-0.010000001, 0.001234567, onMicrodegrees(12.345678 * 3.14159265358979323846 / 180.0),
+             2.001,        0.00999,     static_cast<double>(ProcedureStage::withdrawal),
+             5.0,          0.11,        0.04,
+             0.12,         2.0,         3.0};
     rows.rows.push_back(r);
     QCOMPARE(writeTraceCsv(rows),
              "t_s,x_mm,y_mm,z_mm,tx_mNm,ty_mNm,tz_mNm," + kHeader.substr(kHeader.find("arc_mm")) +

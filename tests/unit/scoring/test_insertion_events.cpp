@@ -230,7 +230,7 @@ void TestInsertionEvents::reversalsAreOfTheInsertionOnly() {
     QCOMPARE(reversalsOf(depths({20000, 10000, 20000, 0})).size(), std::size_t{2});
     auto withdrawing = depths({0, 20000, 20000, 10000, 0});
     for (std::size_t i = 3; i < 5; ++i)
-        withdrawing.insertion->stage[i] = static_cast<std::uint8_t>(ProcedureStage::withdrawal);
+        insertionIn(withdrawing).stage[i] = static_cast<std::uint8_t>(ProcedureStage::withdrawal);
     QCOMPARE(reversalsOf(withdrawing).size(), std::size_t{0}); // the way out is none
 }
 
@@ -255,7 +255,7 @@ void TestInsertionEvents::reversalsAndPauses() {
 
 void TestInsertionEvents::nothingWithoutACanal() {
     auto trial = forces(runs({{3, 0.0}, {30, 2.5}}));
-    trial.insertion.reset();
+    trial.own.reset();
     QVERIFY(insertionEvents(traces::onGrids(trial)).trauma.empty());
     QVERIFY(insertionEvents(TrialTrace{}).reversals.empty());
 }

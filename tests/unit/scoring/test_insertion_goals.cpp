@@ -69,14 +69,14 @@ void TestInsertionGoals::landmarks() {
     auto trial = straightIn();
     QCOMPARE(metricOf(canalSession(trial), "landmarks_seen").reason,
              std::string("the level has no landmarks"));
-    trial.insertion->landmarkSeen_s = {kNever, kNever};
+    insertionIn(trial).landmarkSeen_s = {kNever, kNever};
     QCOMPARE(valueOf(canalSession(trial), "landmarks_seen"), 0.0);
-    trial.insertion->landmarkSeen_s = {8.0, kNever, 9.5};
+    insertionIn(trial).landmarkSeen_s = {8.0, kNever, 9.5};
     QVERIFY(isNear(valueOf(canalSession(trial), "landmarks_seen"), 200.0 / 3.0, 1e-12));
     auto other = straightIn();
-    other.insertion->landmarkSeen_s = {7.0};
+    insertionIn(other).landmarkSeen_s = {7.0};
     QVERIFY(isNear(valueOf(canalSession({trial, other}), "landmarks_seen"), 75.0, 1e-12)); // three of four
-    trial.insertion->landmarkSeen_s = {10.5}; // after the trial's last sample: not in it
+    insertionIn(trial).landmarkSeen_s = {10.5}; // after the trial's last sample: not in it
     QCOMPARE(valueOf(canalSession(trial), "landmarks_seen"), 0.0);
 }
 
@@ -91,7 +91,7 @@ void TestInsertionGoals::inspectionTravel() {
                                  : ProcedureStage::withdrawal;
         return sample;
     });
-    trial.insertion->landmarkSeen_s = {5.0};
+    insertionIn(trial).landmarkSeen_s = {5.0};
     const auto place = [](double t) {
         const double u = std::min(1.0, std::max(0.0, (t - 2.5) / 3.0));
         const double turn = 2.0 * kPi * u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
@@ -114,7 +114,7 @@ void TestInsertionGoals::inspectionTravel() {
 void TestInsertionGoals::depthStopsAtTheGoal() {
     auto trial = canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.1 * t}; });
     QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 80.0);
-    trial.insertion->goal_m = 0.0353; // exactly the goal, so that a gate there holds
+    insertionIn(trial).goal_m = 0.0353; // exactly the goal, so that a gate there holds
     QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 35.3);
     const auto shallow =
         canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.06 * std::sin(kPi * t)}; });

@@ -238,10 +238,10 @@ void TestInsertionMetrics::advanceWhileTurningIsOfTheBend() {
     QVERIFY2(isNear(turned(0.010), 20.0, 1.5), qPrintable(QString::number(turned(0.010))));
     QVERIFY(turned(0.005) > 9.0 && turned(0.005) < 12.0);
     TrialTrace late = turnedAtBend(0.010);
-    late.insertion->bend_m = 0.005; // the same turn 35 mm behind it: no longer in the bend
+    insertionIn(late).bend_m = 0.005; // the same turn 35 mm behind it: no longer in the bend
     QCOMPARE(valueOf(canalSession(late), "advance_while_turning"), 0.0);
     TrialTrace out = turnedAtBend(0.010);
-    for (auto& stage : out.insertion->stage)
+    for (auto& stage : insertionIn(out).stage)
         stage = static_cast<std::uint8_t>(ProcedureStage::withdrawal);
     QCOMPARE(metricOf(canalSession(out), "advance_while_turning").reason,
              std::string("the tip was never at the bend"));
@@ -282,14 +282,14 @@ void TestInsertionMetrics::undefinedWithItsReason() {
         QCOMPARE(metricOf(outside, id).reason, std::string("the tip was never in the urethra"));
     QCOMPARE(metricOf(outside, "inspection_travel").reason, std::string("the level has no landmarks"));
     auto asked = straightIn();
-    asked.insertion->landmarkSeen_s = {std::numeric_limits<double>::quiet_NaN()};
+    insertionIn(asked).landmarkSeen_s = {std::numeric_limits<double>::quiet_NaN()};
     QCOMPARE(metricOf(canalSession(asked), "inspection_travel").reason,
              std::string("the inspection was not reached"));
 }
 
 void TestInsertionMetrics::aTrialWithoutCanalIsNotLeftOut() {
     auto blind = straightIn();
-    blind.insertion.reset();
+    blind.own.reset();
     const auto trace = canalSession({straightIn(), blind});
     for (const char* id :
          {"offset_rms", "offset_max", "alignment_rms", "bend_alignment", "trauma_events", "reversals"})
@@ -342,22 +342,22 @@ void TestInsertionMetrics::badSeriesAreRefused() {
     };
     QVERIFY(!refused(straightIn()));
     auto trial = straightIn();
-    trial.insertion->stage.pop_back();
+    insertionIn(trial).stage.pop_back();
     QVERIFY(refused(trial));
     trial = straightIn();
-    trial.insertion->lateral_N.push_back(0.0);
+    insertionIn(trial).lateral_N.push_back(0.0);
     QVERIFY(refused(trial));
     trial = straightIn();
     trial.tools[0].tissueTorque_Nm.resize(3, Vec3::Zero());
     QVERIFY(refused(trial));
     trial = straightIn();
-    trial.insertion->landmarkSeen_s.assign(kMostLandmarks + 1, 1.0);
+    insertionIn(trial).landmarkSeen_s.assign(kMostLandmarks + 1, 1.0);
     QVERIFY(refused(trial));
     trial = straightIn();
     trial.tools.clear();
     QVERIFY(refused(trial));
     trial = straightIn();
-    trial.insertion->offset_m[5000] =
+    insertionIn(trial).offset_m[5000] =
         std::numeric_limits<double>::quiet_NaN(); // the whole sample is left out
     QCOMPARE(valueOf(canalSession(trial), "offset_rms"), 0.0);
 }

@@ -172,7 +172,7 @@ void TestKeptScores::events() {
             out.add(QLatin1String(name), event.begin_s, event.end_s, event.value, isCritical(event));
     };
     SessionTrace trace = drawn();
-    trace.trials[3].insertion.reset();
+    trace.trials[3].own.reset();
     for (TrialTrace& trial : trace.trials) {
         const InsertionEvents events = insertionEvents(traces::onGrids(trial));
         told("trauma", events.trauma);
@@ -240,10 +240,10 @@ void TestKeptScores::files() {
     for (const bool plain : {false, true}) {
         if (plain)
             for (TrialTrace& trial : trace.trials) {
-                trial.insertion.reset();
+                trial.own.reset();
                 trial.quantities.clear();
                 trial.truth.clear();
-                trial.apex.reset();
+                trial.target.reset();
                 for (ToolTrace& one : trial.tools) {
                     one.commanded_N.clear();
                     one.measured_N.clear();

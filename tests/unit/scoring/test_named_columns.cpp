@@ -2,6 +2,7 @@
 // What an exercise names itself, through a trace file and back: quantities of the scene, truths of a trial,
 // how it ended.
 #include "scoring/trace_builder.h"
+#include "scoring/trace_columns.h"
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
 #include "traces.h"
@@ -9,6 +10,7 @@
 #include <QtTest>
 #include <cmath>
 #include <limits>
+#include <set>
 
 using namespace chiron;
 using namespace chiron::scoring;
@@ -134,6 +136,35 @@ private slots:
             many += ",quantity_q" + QByteArray::number(i);
         QTest::newRow("too many") << many + "\n" << QByteArray("at most 64");
     }
+    /// The columns of exercises are in the table once, each after the shared column that it names, and a file
+    /// without them is written as if there were none.
+    void columnsOfExercisesFollowSharedOnes() {
+        const auto all = traceColumns();
+        std::set<std::string_view> names;
+        for (const TraceColumn& column : all)
+            QVERIFY2(names.insert(column.name).second, std::string(column.name).c_str());
+        std::size_t own = 0;
+        for (const OwnColumns* owner : ownColumns())
+            for (std::size_t place = 0; place < owner->columns.size(); ++place, ++own) {
+                const OwnColumn& column = owner->columns[place];
+                const std::string name(column.name);
+                const int at = findTraceColumn(column.name), before = findTraceColumn(column.after);
+                QVERIFY2(at >= 0 && before >= 0 && before < at, name.c_str());
+                const TraceColumn& found = all[static_cast<std::size_t>(at)];
+                QVERIFY2(found.owner == owner && found.place == place, name.c_str());
+                QVERIFY2(all[static_cast<std::size_t>(before)].owner == nullptr, name.c_str());
+                QCOMPARE(column.kind == ColumnKind::word, !column.words.empty());
+                for (int between = before + 1; between < at; ++between)
+                    QVERIFY2(all[static_cast<std::size_t>(between)].owner != nullptr, name.c_str());
+            }
+        QVERIFY(own > 0);
+        const std::string header = traceCsvHeader(rowsOf(busy()).columns);
+        for (const TraceColumn& column : all)
+            if (column.owner != nullptr)
+                QVERIFY2(header.find("," + std::string(column.name) + ",") == std::string::npos,
+                         header.c_str());
+    }
+
     void refusals() {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, says);

@@ -37,7 +37,7 @@ void TestTraceBuilder::marksFromButtons() {
     QVERIFY(trial.marked && trial.markInContact);
     QCOMPARE(trial.p_WMark_m.x(), 0.003);
     QCOMPARE(trial.tools.at(0).t_s.size(), std::size_t{4}); // up to and with the mark
-    QVERIFY(!trial.apex.has_value());
+    QVERIFY(!trial.target.has_value());
 }
 
 void TestTraceBuilder::marksFromButtonsEndATrialWhereTheyAnswerIt() {

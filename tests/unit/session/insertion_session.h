@@ -7,8 +7,10 @@
 #include "modules/exercises/urethra_insertion/cues/procedure_bits.h"
 #include "session/exercise_kind.h"
 #include "session/playback_track.h"
+#include "support/insertion_in.h"
 
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,18 +39,18 @@ inline scoring::SessionTrace trace() {
         series.alignment_rad.push_back(0.0);
         series.lateral_N.push_back(i >= 800 && i < 850 ? 2.5 : i >= 900 && i < 930 ? 3.25 : 0.0);
         series.axialTorque_Nm.push_back(0.0);
-        series.stage.push_back(static_cast<std::uint8_t>(t < 0.1    ? core::ProcedureStage::outside
-                                                         : t < 1.2  ? core::ProcedureStage::insertion
-                                                         : t < 1.6  ? core::ProcedureStage::inspection
-                                                         : i < 2000 ? core::ProcedureStage::withdrawal
-                                                                    : core::ProcedureStage::completed));
+        series.stage.push_back(static_cast<std::uint8_t>(t < 0.1    ? simulation::ProcedureStage::outside
+                                                         : t < 1.2  ? simulation::ProcedureStage::insertion
+                                                         : t < 1.6  ? simulation::ProcedureStage::inspection
+                                                         : i < 2000 ? simulation::ProcedureStage::withdrawal
+                                                                    : simulation::ProcedureStage::completed));
     }
     series.length_m = 0.11;
     series.bend_m = 0.04;
     series.goal_m = 0.12;
     series.landmarkSeen_s = {1.5, kNever, 1.3, 1.5};
     trial.tools.push_back(std::move(tool));
-    trial.insertion = std::move(series);
+    trial.own = std::make_shared<scoring::InsertionSeries>(std::move(series));
     scoring::SessionTrace session;
     session.exercise = "urethra_insertion";
     session.trials.push_back(std::move(trial));

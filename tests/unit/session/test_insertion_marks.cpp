@@ -12,8 +12,8 @@
 #include <tuple>
 
 using namespace chiron;
-using core::ProcedureStage;
 using session::PlaybackMark;
+using simulation::ProcedureStage;
 namespace mark_kinds = session::mark_kinds;
 using tests::ofKind;
 using tests::trace;
@@ -85,7 +85,7 @@ void TestInsertionMarks::stagesAndLandmarksAreTold() {
 void TestInsertionMarks::trialThatBeginsInsideTellsItsStages() {
     auto made = track();
     auto begun = trace();
-    auto& stage = begun.trials[0].insertion->stage;
+    auto& stage = insertionIn(begun.trials[0]).stage;
     std::replace(stage.begin(), stage.end(), static_cast<std::uint8_t>(ProcedureStage::outside),
                  static_cast<std::uint8_t>(ProcedureStage::insertion));
     PlaybackMark& first = *std::find_if(made.marks.begin(), made.marks.end(), [](const PlaybackMark& mark) {
@@ -104,7 +104,7 @@ void TestInsertionMarks::trialThatBeginsInsideTellsItsStages() {
 void TestInsertionMarks::stagesThatDoNotFitStayUntold() {
     auto made = track();
     auto cut = trace();
-    std::fill(cut.trials[0].insertion->stage.begin(), cut.trials[0].insertion->stage.end(),
+    std::fill(insertionIn(cut.trials[0]).stage.begin(), insertionIn(cut.trials[0]).stage.end(),
               static_cast<std::uint8_t>(ProcedureStage::insertion));
     QVERIFY(session::addInsertionMarks(made, cut, {}));
     for (const PlaybackMark& mark : ofKind(made, mark_kinds::kStageChanged))
@@ -135,10 +135,10 @@ void TestInsertionMarks::trialsKeepTheirMarks() {
     second.trial = 1;
     for (double& t_s : second.tools.front().t_s)
         t_s += kLater_s;
-    for (std::uint8_t& stage : second.insertion->stage)
+    for (std::uint8_t& stage : insertionIn(second).stage)
         if (stage > static_cast<std::uint8_t>(ProcedureStage::inspection))
             stage = static_cast<std::uint8_t>(ProcedureStage::inspection);
-    second.insertion->landmarkSeen_s = {kLater_s + 1.5, kLater_s + 1.3};
+    insertionIn(second).landmarkSeen_s = {kLater_s + 1.5, kLater_s + 1.3};
     both.trials.push_back(second);
     QVERIFY(session::addInsertionMarks(made, both, {}));
     std::array<std::vector<std::string>, 2> stages;
@@ -165,11 +165,11 @@ void TestInsertionMarks::otherTracksStayAsTheyAre() {
     auto made = track();
     const auto before = made.marks.size();
     auto other = trace();
-    other.trials[0].insertion.reset();
+    other.trials[0].own.reset();
     QVERIFY(session::addInsertionMarks(made, other, {}));
     QCOMPARE(made.marks.size(), before);
     auto bad = trace();
-    bad.trials[0].insertion->s_m.pop_back();
+    insertionIn(bad.trials[0]).s_m.pop_back();
     QVERIFY(!session::addInsertionMarks(made, bad, {}));
 }
 
@@ -178,7 +178,7 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
     const auto pressed = [](int ticks, double force_N) {
         auto made = trace();
         for (int i = 0; i < ticks; ++i)
-            made.trials[0].insertion->lateral_N[static_cast<std::size_t>(300 + i)] = force_N;
+            insertionIn(made.trials[0]).lateral_N[static_cast<std::size_t>(300 + i)] = force_N;
         return made;
     };
     for (const auto& [ticks, force_N, critical] :
@@ -198,11 +198,11 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
         }
     auto made = track(); // the score's worst moment is that mark, though a shorter one was harder
     auto session = pressed(450, 2.5);
-    session.trials[0].insertion->lateral_N.assign(2001, 0.0);
+    insertionIn(session.trials[0]).lateral_N.assign(2001, 0.0);
     for (int i = 100; i < 1300; ++i)
-        session.trials[0].insertion->lateral_N[static_cast<std::size_t>(i)] = 2.5;
+        insertionIn(session.trials[0]).lateral_N[static_cast<std::size_t>(i)] = 2.5;
     for (int i = 1500; i < 1600; ++i)
-        session.trials[0].insertion->lateral_N[static_cast<std::size_t>(i)] = 3.5;
+        insertionIn(session.trials[0]).lateral_N[static_cast<std::size_t>(i)] = 3.5;
     QVERIFY(session::addInsertionMarks(made, session, {}, true));
     const std::vector<scoring::MetricRequest> wanted{{"critical_errors", 2}};
     const std::vector<scoring::Gate> gates{{"critical_errors", std::nullopt, 0.0}};

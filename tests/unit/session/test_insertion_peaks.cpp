@@ -22,7 +22,7 @@ scoring::SessionTrace unsteady() {
     auto session = trace();
     auto& trial = session.trials[0];
     scoring::ToolTrace& tool = trial.tools[0];
-    scoring::InsertionSeries& series = *trial.insertion;
+    scoring::InsertionSeries& series = insertionIn(trial);
     tool.q_WT.assign(tool.t_s.size(), core::Quat::Identity());
     tool.tissueTorque_Nm.assign(tool.t_s.size(), core::Vec3::Zero());
     const auto from = [](int first, int end, auto&& set) {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 using namespace chiron;
-using core::ProcedureStage;
 using core::Vec3;
+using simulation::ProcedureStage;
 using simulation::UrethraInsertionParameters;
 
 namespace {

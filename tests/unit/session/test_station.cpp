@@ -37,12 +37,16 @@ public:
     explicit AnyKind(std::string_view mechanism) : m_mechanism(mechanism) {}
     std::string_view id() const noexcept override { return "any"; }
     std::string_view mechanism() const noexcept override { return m_mechanism; }
-    Vec3 endoscopeStart_W() const noexcept override { return kBeforeTheEntrance; }
+    std::optional<Vec3> toolStart_W(const catalogue::ExerciseLevel&,
+                                    const devices::WorkspaceMapping&) const override {
+        return m_mechanism == "five_bar_spherical" ? std::optional(kBeforeTheEntrance) : std::nullopt;
+    }
     std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override {
         return nullptr;
     }
-    core::Result<session::ScriptedTrainee>
-    makeOperator(const catalogue::ExerciseLevel&, const std::string& name, std::uint64_t) const override {
+    core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&,
+                                                        const std::string& name, std::uint64_t,
+                                                        const session::HeldDevices&) const override {
         if (name != "stayer")
             return core::fail(core::ErrorCode::notFound, "operator: expected stayer");
         return session::oneHanded(std::make_unique<Stayer>(), {});
@@ -75,7 +79,8 @@ public:
         return nullptr;
     }
     core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string&,
-                                                        std::uint64_t) const override {
+                                                        std::uint64_t,
+                                                        const session::HeldDevices&) const override {
         session::ScriptedTrainee trainee;
         for (int hand = 0; hand < m_hands; ++hand)
             trainee.strategies.push_back(std::make_unique<Stayer>());

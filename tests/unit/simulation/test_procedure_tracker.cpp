@@ -8,8 +8,8 @@
 
 using namespace chiron;
 using namespace chiron::simulation;
-using core::ProcedureStage;
 using core::Vec3;
+using simulation::ProcedureStage;
 
 namespace {
 

@@ -14,9 +14,9 @@ using namespace chiron::simulation::testing;
 using chiron::tests::endoscopeAt;
 using chiron::tests::IdealProcedure;
 using chiron::tests::wholeProcedure;
-using core::ProcedureStage;
 using core::TrialPhase;
 using core::Vec3;
+using simulation::ProcedureStage;
 using Driver = UrethraDriver;
 namespace bits = core::event_bits;
 

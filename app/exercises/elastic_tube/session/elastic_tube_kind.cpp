@@ -90,15 +90,8 @@ simulation::YieldLaw ElasticTubeKind::yieldLaw(const catalogue::ExerciseLevel& l
 }
 
 core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level,
-                                                            const std::string& name,
-                                                            std::uint64_t seed) const {
-    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
-}
-
-core::Result<ScriptedTrainee>
-ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
-                                const catalogue::ExerciseLevel& level, const std::string& name,
-                                std::uint64_t seed) const {
+                                                            const std::string& name, std::uint64_t seed,
+                                                            const HeldDevices& held) const {
     auto settings = operators::elasticTubeOperatorSettings(name);
     CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
@@ -109,7 +102,7 @@ ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> place
     briefing.markRatio = p.markRatio;
     briefing.markTolerance = p.markTolerance;
     briefing.retracts = p.hasFold();
-    briefing.places.assign(places.begin(), places.end());
+    briefing.places.assign(held.places.begin(), held.places.end());
     auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
     CHIRON_TRY(strategies);
     return ScriptedTrainee{std::move(*strategies), settings->hand};

@@ -74,15 +74,8 @@ simulation::YieldLaw ObjectHandlingKind::yieldLaw(const catalogue::ExerciseLevel
 }
 
 core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level,
-                                                               const std::string& name,
-                                                               std::uint64_t seed) const {
-    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
-}
-
-core::Result<ScriptedTrainee>
-ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
-                                   const catalogue::ExerciseLevel& level, const std::string& name,
-                                   std::uint64_t seed) const {
+                                                               const std::string& name, std::uint64_t seed,
+                                                               const HeldDevices& held) const {
     auto settings = operators::objectHandlingOperatorSettings(name);
     CHIRON_TRY(settings);
     const auto& p = parametersOf(level);
@@ -90,7 +83,7 @@ ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> pl
     briefing.weigh = p.task == simulation::HandlingTask::weigh;
     briefing.liftHeight_m = p.liftHeight_m;
     briefing.jawLength_m = p.jawLength_m;
-    briefing.place = places.front();
+    briefing.place = held.places.front();
     auto strategies = operators::makeObjectHandlingOperator(*settings, briefing, seed);
     CHIRON_TRY(strategies);
     ScriptedTrainee trainee;

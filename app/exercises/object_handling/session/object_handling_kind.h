@@ -15,11 +15,7 @@ public:
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                               std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
-                                                 std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level,
-                                                 const std::string& name, std::uint64_t seed) const override;
+                                               std::uint64_t seed, const HeldDevices& held) const override;
     bool operatorsKnowTheirPlace() const noexcept override { return true; }
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;

@@ -123,13 +123,9 @@ int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const {
     return parametersOf(level).tools();
 }
 
-double PalpationKind::fingerJaw_rad(const catalogue::ExerciseLevel& level) const {
-    const auto& p = parametersOf(level);
-    return p.pinch ? p.pinch->widest_rad : 0.0;
-}
-
 FingersOfHand PalpationKind::fingers(const catalogue::ExerciseLevel& level) const {
-    return {parametersOf(level).fingers, parametersOf(level).fingerSpacing_m};
+    const auto& p = parametersOf(level);
+    return {p.fingers, p.fingerSpacing_m, p.pinch ? p.pinch->widest_rad : 0.0};
 }
 
 devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {
@@ -142,10 +138,12 @@ devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLeve
 }
 
 // A finger that is about to palpate starts just above the skin.
-std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m,
-                                                    double y_m) const {
+std::optional<core::Vec3> PalpationKind::toolStart_W(const catalogue::ExerciseLevel& level,
+                                                     const devices::WorkspaceMapping& place) const {
     constexpr double kAbove_m = 0.005;
-    return simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt({x_m, y_m}).z() + kAbove_m;
+    const core::Vec2 over_m(place.origin_m[0], place.origin_m[1]);
+    const double skin_m = simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt(over_m).z();
+    return core::Vec3(over_m.x(), over_m.y(), skin_m + kAbove_m);
 }
 
 std::vector<core::QuantityDescription>
@@ -177,26 +175,12 @@ simulation::YieldLaw PalpationKind::yieldLaw(const catalogue::ExerciseLevel& lev
 }
 
 core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::ExerciseLevel& level,
-                                                          const std::string& name, std::uint64_t seed) const {
-    return makeOperatorOn(mechanism(), level, name, seed);
-}
-
-core::Result<ScriptedTrainee> PalpationKind::makeOperatorOn(std::string_view mechanism,
-                                                            const catalogue::ExerciseLevel& level,
-                                                            const std::string& name,
-                                                            std::uint64_t seed) const {
-    return makeOperatorAt(usualPlaces(*this, level), mechanism, level, name, seed);
-}
-
-core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
-                                                            std::string_view mechanism,
-                                                            const catalogue::ExerciseLevel& level,
-                                                            const std::string& name,
-                                                            std::uint64_t seed) const {
+                                                          const std::string& name, std::uint64_t seed,
+                                                          const HeldDevices& held) const {
     auto settings = operators::palpationOperatorSettings(name);
     CHIRON_TRY(settings);
-    auto strategies =
-        operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
+    auto strategies = operators::makePalpationOperator(
+        *settings, briefingOf(*this, held.mechanism, level, held.places), seed);
     CHIRON_TRY(strategies);
     return ScriptedTrainee{std::move(*strategies), settings->hand};
 }

@@ -12,30 +12,22 @@ public:
     std::string_view mechanism() const noexcept override { return "fingertip_arm"; }
     std::vector<std::string_view> mechanisms() const override { return {"fingertip_arm", "gimbal_hprd"}; }
     bool traceEndIsMark() const noexcept override { return false; } ///< a mark is one of several findings
-    FingersOfHand fingers(const catalogue::ExerciseLevel& level) const override;
-    double fingerJaw_rad(const catalogue::ExerciseLevel& level) const override; ///< for levels with a pinch
+    FingersOfHand fingers(const catalogue::ExerciseLevel& level) const override; ///< a jaw for a pinch
     int toolCount(const catalogue::ExerciseLevel& level) const override;
     /// Two hands come from the right (tool 0 on) and from the left, over the middles of the two halves of the
     /// search area; a single hand is over the middle. A hand's second finger is beside its first, along +x (a
     /// right hand's middle finger, a left hand's index finger). On P3's arm both fingers of a hand are at the
     /// position of the first one.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
-    std::optional<double> pointerStart_m(const catalogue::ExerciseLevel& level, double x_m,
-                                         double y_m) const override;
+    std::optional<core::Vec3> toolStart_W(const catalogue::ExerciseLevel& level,
+                                          const devices::WorkspaceMapping& place) const override;
     /// In the order of simulation::palpation_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                               std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorOn(std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level,
-                                                 const std::string& name, std::uint64_t seed) const override;
-    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places,
-                                                 std::string_view mechanism,
-                                                 const catalogue::ExerciseLevel& level,
-                                                 const std::string& name, std::uint64_t seed) const override;
+                                               std::uint64_t seed, const HeldDevices& held) const override;
     bool operatorsKnowTheirPlace() const noexcept override { return true; }
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;

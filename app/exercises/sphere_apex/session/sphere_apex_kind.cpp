@@ -9,7 +9,6 @@
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
-#include "scoring/trace_rows.h"
 #include "session/answer_events.h"
 #include "session/moment_rule.h"
 #include "session/playback_track.h"
@@ -128,8 +127,8 @@ simulation::YieldLaw SphereApexKind::yieldLaw(const catalogue::ExerciseLevel& le
 }
 
 core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&,
-                                                           const std::string& name,
-                                                           std::uint64_t seed) const {
+                                                           const std::string& name, std::uint64_t seed,
+                                                           const HeldDevices&) const {
     auto settings = operators::sphereApexOperatorSettings(name);
     CHIRON_TRY(settings);
     auto strategy = operators::makeSphereApexOperator(*settings, seed);
@@ -173,7 +172,7 @@ void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64
     const auto plan = simulation::planSphereApexTrials(p, seed);
     const auto index = static_cast<std::size_t>(trial.trial);
     if (index < plan.size())
-        trial.apex = scoring::ApexTruth{plan[index].centre_m.x(), plan[index].centre_m.y(), p.radius_m};
+        trial.target = scoring::TargetTruth{plan[index].centre_m.x(), plan[index].centre_m.y(), p.radius_m};
 }
 
 std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -189,7 +188,7 @@ core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::
 
 void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record,
                                      AnswerEvents& events) const {
-    if (!trial.apex || !trial.marked || trial.tools.empty())
+    if (!trial.target || !trial.marked || trial.tools.empty())
         return;                      // a trial without a mark already has an event
     scoring::PreparedTrial prepared; // the answer reads only position and truth from it
     prepared.trial = &trial;
@@ -199,23 +198,11 @@ void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const dat
 }
 
 void SphereApexKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
-    if (!trial.apex)
+    if (!trial.target)
         return;
-    truth.insert("apex_x_m", trial.apex->x_m);
-    truth.insert("apex_y_m", trial.apex->y_m);
-    truth.insert("radius_m", trial.apex->radius_m);
-}
-
-void SphereApexKind::addColumns(std::span<const scoring::TrialTrace> trials,
-                                scoring::TraceColumns& columns) const {
-    columns.target = !trials.empty() && trials.front().apex.has_value();
-}
-
-void SphereApexKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
-    if (!trial.apex)
-        return;
-    row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
-    row.targetRadius_m = trial.apex->radius_m;
+    truth.insert("apex_x_m", trial.target->x_m);
+    truth.insert("apex_y_m", trial.target->y_m);
+    truth.insert("radius_m", trial.target->radius_m);
 }
 
 Demonstration SphereApexKind::demonstration() const {

@@ -13,7 +13,7 @@ public:
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                               std::uint64_t seed) const override;
+                                               std::uint64_t seed, const HeldDevices& held) const override;
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
@@ -33,9 +33,6 @@ public:
                          AnswerEvents& events) const override;
     void storeTruth(const scoring::TrialTrace& trial,
                     QJsonObject& truth) const override; ///< apex_x_m, apex_y_m, radius_m
-    void addColumns(std::span<const scoring::TrialTrace> trials,
-                    scoring::TraceColumns& columns) const override; ///< the target
-    void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     /// The skilled trainee also does the organs (levels from 5 on).
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }
     Demonstration demonstration() const override;

@@ -8,7 +8,7 @@ namespace chiron::session_report {
 std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) {
     std::vector<report::ApexError> errors;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
+        if (trial.unfinished || !trial.target || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
             continue;
         scoring::PreparedTrial prepared; // the answer reads only position and truth from it
         prepared.trial = &trial;

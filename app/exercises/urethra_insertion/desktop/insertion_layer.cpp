@@ -2,11 +2,11 @@
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 
 #include "app/exercises/urethra_insertion/desktop/stage_words.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "report/report_text.h"
-#include "report/session_plots.h"
 
 #include <cmath>
 #include <numbers>
@@ -75,14 +75,14 @@ QString InsertionLayer::readout(const session::PlaybackTrack& track, const sessi
 }
 
 void InsertionLayer::addPlots(PlaybackPlots& plots) const {
-    if (plots.series().offset_mm.empty())
+    if (plots.series().derivedValues(session::kOffsetSeries).empty())
         return;
     const report::PlotTheme look = plotThemeOf(plots.theme(), plots.plotLocale());
-    auto offset = report::offsetPlot(plots.series(), look);
-    plots.addSecond(*offset, &session::GhostSeries::offset_m, 1e3);
+    auto offset = report::offsetPlot(plots.series(), session::kOffsetSeries, look);
+    plots.addSecond(*offset, session::kOffsetSeries, 1e3);
     plots.add(std::move(offset), "playback.offset_plot", {PlaybackPlots::tr("Off-centre (mm)")});
-    auto alignment = report::alignmentPlot(plots.series(), look);
-    plots.addSecond(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
+    auto alignment = report::alignmentPlot(plots.series(), session::kAlignmentSeries, look);
+    plots.addSecond(*alignment, session::kAlignmentSeries, 180.0 / std::numbers::pi);
     plots.add(std::move(alignment), "playback.alignment_plot", {PlaybackPlots::tr("Alignment (°)")});
 }
 

@@ -8,7 +8,7 @@
 
 namespace chiron::desktop {
 
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 
 namespace {
 

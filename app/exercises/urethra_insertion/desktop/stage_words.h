@@ -9,7 +9,7 @@
 namespace chiron::desktop {
 
 /// The stage of an endoscopic procedure, in words. All functions of this header are pure.
-QString stageTitle(core::ProcedureStage stage); ///< "Insertion"
+QString stageTitle(simulation::ProcedureStage stage); ///< "Insertion"
 
 /// The facts beside the stage itself that a level allows to be shown.
 struct StageTelling {

@@ -5,10 +5,12 @@
 #include "report/plot_canvas.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
+#include "report/session_plots.h"
 
 #include <QDir>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace chiron::report {
 
@@ -43,6 +45,22 @@ std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis,
 }
 
 } // namespace
+
+std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, std::string_view id,
+                                     const PlotTheme& theme) {
+    return derivedPlot(series, id, 1e3,
+                       {Words::tr("Distance from the middle of the canal"), Words::tr("Off-centre (mm)"),
+                        Words::tr("off-centre")},
+                       theme);
+}
+
+std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, std::string_view id,
+                                        const PlotTheme& theme) {
+    return derivedPlot(
+        series, id, 180.0 / std::numbers::pi,
+        {Words::tr("Angle between endoscope and canal"), Words::tr("Alignment (°)"), Words::tr("alignment")},
+        theme);
+}
 
 std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
     return depthPlot(Words::tr("Off-centre, largest in each millimetre"), Words::tr("Off-centre (mm)"),

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "report/plot_theme.h"
+#include "report/report_data.h"
 #include "report/report_section.h"
 
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,12 @@ struct InsertionProfile {
 /// Thread: GUI.
 std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
+
+/// The same over time, from the derived series of a recording with these ids: the distance in m and the angle
+/// in rad. Each function creates a new view. Thread: GUI.
+std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, std::string_view id, const PlotTheme& theme);
+std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, std::string_view id,
+                                        const PlotTheme& theme);
 
 /// The deviation of the endoscope from its canal, by depth.
 class InsertionSection final : public ReportSection {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
-#include "scoring/trace_columns.h"
 #include "scoring/trace_grid.h"
 
 #include <algorithm>
@@ -36,10 +36,10 @@ void addEvents(PlaybackTrack& track, int trial, const PlaybackMarkKind& kind,
 /// inside changes its stage at that sample.
 std::vector<std::string> stagesOf(const scoring::InsertionSeries& series) {
     std::vector<std::string> stages;
-    auto last = core::ProcedureStage::outside;
+    auto last = simulation::ProcedureStage::outside;
     for (const std::uint8_t value : series.stage) {
-        const auto stage = static_cast<core::ProcedureStage>(value);
-        if (stage != last && stage != core::ProcedureStage::completed)
+        const auto stage = static_cast<simulation::ProcedureStage>(value);
+        if (stage != last && stage != simulation::ProcedureStage::completed)
             stages.emplace_back(scoring::stageName(stage));
         last = stage;
     }
@@ -116,9 +116,10 @@ core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::Sessio
     const auto scored = scoring::onStoredGrids(trace);
     CHIRON_TRY(scored);
     for (const scoring::TrialTrace& trial : scored->trials) {
-        if (!trial.insertion)
+        const scoring::InsertionSeries* series = scoring::insertionOf(trial);
+        if (series == nullptr)
             continue;
-        completeMarks(track, trial.trial, *trial.insertion);
+        completeMarks(track, trial.trial, *series);
         const scoring::InsertionEvents events = scoring::insertionEvents(trial);
         addEvents(track, trial.trial, mark_kinds::kTrauma, events.trauma, traumaIsCritical);
         if (traumaIsCritical)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
-#include "scoring/trace.h"
 
 #include <optional>
 

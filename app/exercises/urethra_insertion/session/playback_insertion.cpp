@@ -21,12 +21,12 @@ void addFacts(PlaybackInsertion& insertion, const scoring::InsertionSeries& seri
 /// The values of the series at `t_s`: those of its last sample that is not later.
 void addMoment(PlaybackInsertionMoment& moment, const scoring::TrialTrace& trial, double t_s) {
     const std::vector<double>& times_s = trial.tools.front().t_s;
-    const scoring::InsertionSeries& series = *trial.insertion;
+    const scoring::InsertionSeries& series = *scoring::insertionOf(trial);
     const auto after = std::upper_bound(times_s.begin(), times_s.end(), t_s + kSameTime_s);
     if (after == times_s.begin())
         return;
     const auto i = static_cast<std::size_t>(after - times_s.begin()) - 1;
-    moment.stage = static_cast<core::ProcedureStage>(series.stage[i]);
+    moment.stage = static_cast<simulation::ProcedureStage>(series.stage[i]);
     if (after == times_s.end() && t_s > times_s.back() + kSameTime_s)
         // The trial is over: its last stage remains, and nothing is measured.
         return;
@@ -54,11 +54,11 @@ PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::s
     insertion.moments.resize(times_s.size());
     bool first = true;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (!trial.insertion || trial.tools.empty() ||
-            trial.insertion->s_m.size() != trial.tools.front().t_s.size())
+        const scoring::InsertionSeries* series = scoring::insertionOf(trial);
+        if (series == nullptr || trial.tools.empty() || series->s_m.size() != trial.tools.front().t_s.size())
             continue;
         if (first)
-            addFacts(insertion, *trial.insertion);
+            addFacts(insertion, *series);
         first = false;
         for (std::size_t i = 0; i < times_s.size(); ++i)
             addMoment(insertion.moments[i], trial, times_s[i]);
@@ -68,7 +68,7 @@ PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::s
 
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
     const bool any = std::any_of(trace.trials.begin(), trace.trials.end(),
-                                 [](const auto& trial) { return trial.insertion.has_value(); });
+                                 [](const auto& trial) { return scoring::insertionOf(trial) != nullptr; });
     if (!any)
         return;
     std::vector<double> times_s;
@@ -76,11 +76,13 @@ void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
     for (const PlaybackMoment& moment : track.moments)
         times_s.push_back(moment.t_s);
     auto own = std::make_shared<PlaybackInsertion>(playbackInsertionOf(trace, times_s));
-    track.canal = {};
+    PlaybackQuantity offset{std::string(kOffsetSeries), "m", {}},
+        alignment{std::string(kAlignmentSeries), "rad", {}};
     for (const PlaybackInsertionMoment& moment : own->moments) {
-        track.canal.offset_m.push_back(moment.offset_m);
-        track.canal.alignment_rad.push_back(moment.alignment_rad);
+        offset.values.push_back(moment.offset_m);
+        alignment.values.push_back(moment.alignment_rad);
     }
+    track.derived = {std::move(offset), std::move(alignment)};
     track.own = std::move(own);
 }
 

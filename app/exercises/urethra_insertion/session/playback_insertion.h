@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
-#include "scoring/trace.h"
 #include "session/playback_track.h"
 
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace chiron::session {
@@ -21,7 +22,7 @@ struct PlaybackInsertionMoment {
     double depth_m = std::numeric_limits<double>::quiet_NaN();
     double offset_m = std::numeric_limits<double>::quiet_NaN();
     double alignment_rad = std::numeric_limits<double>::quiet_NaN();
-    core::ProcedureStage stage = core::ProcedureStage::outside;
+    simulation::ProcedureStage stage = simulation::ProcedureStage::outside;
 };
 
 /// The course of an endoscope through a canal over a track's time: the exercise-specific data of the track
@@ -44,8 +45,13 @@ struct PlaybackInsertion final : PlaybackOfExercise {
 /// sample holds nothing, one after its last sample that sample's stage. Pure function.
 PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::span<const double> times_s);
 
-/// Adds the insertion data to a track that has moments, as its exercise-specific data and as its canal. Does
-/// nothing if no trial has a series, because the device could not be turned or no trial was started.
+/// The ids of the series that addInsertion() derives: the tip's distance from the centre-line, and the angle
+/// between endoscope and canal.
+inline constexpr std::string_view kOffsetSeries = "offset_m";
+inline constexpr std::string_view kAlignmentSeries = "alignment_rad";
+
+/// Adds the insertion data to a track that has moments, as its exercise-specific data and as derived series.
+/// Does nothing if no trial has a series, because the device could not be turned or no trial was started.
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace);
 
 /// The insertion data at a time of the track, clamped to it; empty if the track has none.

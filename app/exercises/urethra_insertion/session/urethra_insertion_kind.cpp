@@ -12,8 +12,6 @@
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
-#include "scoring/trace_builder.h"
-#include "scoring/trace_rows.h"
 #include "session/moment_rule.h"
 #include "session/session_setup.h"
 
@@ -21,6 +19,8 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace chiron::session {
@@ -79,7 +79,8 @@ constexpr SceneEvent kSceneEvents[]{
 
 } // namespace
 
-core::Vec3 UrethraInsertionKind::endoscopeStart_W() const noexcept {
+std::optional<core::Vec3> UrethraInsertionKind::toolStart_W(const catalogue::ExerciseLevel&,
+                                                            const devices::WorkspaceMapping&) const {
     return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -simulation::kStartBeforeEntrance_m});
 }
 
@@ -95,8 +96,8 @@ simulation::YieldLaw UrethraInsertionKind::yieldLaw(const catalogue::ExerciseLev
 }
 
 core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&,
-                                                                 const std::string& name,
-                                                                 std::uint64_t seed) const {
+                                                                 const std::string& name, std::uint64_t seed,
+                                                                 const HeldDevices&) const {
     auto settings = operators::urethraInsertionOperatorSettings(name);
     CHIRON_TRY(settings);
     auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
@@ -132,7 +133,10 @@ std::uint64_t UrethraInsertionKind::tickLimit(const catalogue::ExerciseLevel& le
 
 void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t,
                                     scoring::TrialTrace& trial) const {
-    trial.insertion = insertionSeries(parametersOf(level), trial);
+    if (auto series = insertionSeries(parametersOf(level), trial))
+        trial.own = std::make_shared<scoring::InsertionSeries>(std::move(*series));
+    else
+        trial.own.reset();
 }
 
 std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -154,41 +158,18 @@ core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup,
 }
 
 void UrethraInsertionKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
-    if (!trial.insertion)
+    const scoring::InsertionSeries* insertion = scoring::insertionOf(trial);
+    if (insertion == nullptr)
         return;
     QJsonArray seen_s;
-    for (const double t_s : trial.insertion->landmarkSeen_s)
+    for (const double t_s : insertion->landmarkSeen_s)
         seen_s.append(std::isnan(t_s) ? QJsonValue() : QJsonValue(t_s));
     truth.insert("completed", trial.completed);
-    truth.insert("length_m", trial.insertion->length_m);
-    truth.insert("bend_m", trial.insertion->bend_m);
-    truth.insert("goal_m", trial.insertion->goal_m);
-    truth.insert("lateral_limit_N", trial.insertion->lateralLimit_N);
+    truth.insert("length_m", insertion->length_m);
+    truth.insert("bend_m", insertion->bend_m);
+    truth.insert("goal_m", insertion->goal_m);
+    truth.insert("lateral_limit_N", insertion->lateralLimit_N);
     truth.insert("landmarks_seen_s", seen_s);
-}
-
-void UrethraInsertionKind::addColumns(std::span<const scoring::TrialTrace> trials,
-                                      scoring::TraceColumns& columns) const {
-    if (trials.empty() || !trials.front().insertion)
-        return;
-    columns.insertion = columns.completed = true;
-    columns.torque = !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
-}
-
-void UrethraInsertionKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
-    if (trial.insertion)
-        scoring::setTrialOfCanal(row.insertion, trial);
-}
-
-// Finds the sample by its time: the series has a value for each sample that is scored.
-void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
-    if (!trial.insertion || row.tool != 0 || trial.tools.empty())
-        return;
-    const std::vector<double>& t_s = trial.tools.front().t_s;
-    const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
-    if (sample != t_s.end() && *sample == row.t_s)
-        scoring::setSampleOfCanal(row.insertion, *trial.insertion,
-                                  static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
 }
 
 Demonstration UrethraInsertionKind::demonstration() const {

@@ -14,21 +14,23 @@ public:
     /// N, forces up to 3.2 N are rendered unchanged, and a force of 4 N as 3.7 N.
     double capKnee() const noexcept override { return 0.2; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
-    core::Vec3 endoscopeStart_W() const noexcept override; ///< on the straight line in front of the entrance
+    /// On the straight line in front of the entrance.
+    std::optional<core::Vec3> toolStart_W(const catalogue::ExerciseLevel& level,
+                                          const devices::WorkspaceMapping& place) const override;
     /// Friction sets in as gradually as the first tool's device requires (device_friction.h).
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
-                                               std::uint64_t seed) const override;
+                                               std::uint64_t seed, const HeldDevices& held) const override;
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
     double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry, so that
-    /// proximity, alignment and stage follow from stored channels alone. Left empty if the trace has no
-    /// orientation.
+    /// Fills `trial.own` (scoring::InsertionSeries) from tool 0's poses and tissue wrench with the level's
+    /// own geometry, so that proximity, alignment and stage follow from stored channels alone. Left empty if
+    /// the trace has no orientation.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -40,11 +42,6 @@ public:
     /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for landmarks that were
     /// not seen.
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
-    /// Columns of the canal.
-    void addColumns(std::span<const scoring::TrialTrace> trials,
-                    scoring::TraceColumns& columns) const override;
-    void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
-    void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
     std::optional<double> depthAt_m(const PlaybackTrack& track, double t_s) const override;

@@ -2,6 +2,7 @@
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,10 @@ void raise(double& most, double value) {
 /// Collects samples into the largest value of each millimetre.
 class ProfileMaker {
 public:
-    void add(core::ProcedureStage stage, double depth_m, double offset_m, double alignment_rad) {
-        const bool in = stage == core::ProcedureStage::outside || stage == core::ProcedureStage::insertion;
-        const bool out = stage == core::ProcedureStage::withdrawal;
+    void add(simulation::ProcedureStage stage, double depth_m, double offset_m, double alignment_rad) {
+        const bool in =
+            stage == simulation::ProcedureStage::outside || stage == simulation::ProcedureStage::insertion;
+        const bool out = stage == simulation::ProcedureStage::withdrawal;
         const double depth_mm = std::floor(depth_m * 1e3);
         if ((!in && !out) || !std::isfinite(depth_m) || depth_mm < -kBefore_mm || depth_mm > kDeepest_mm)
             return;
@@ -67,16 +69,17 @@ std::optional<report::InsertionProfile> insertionProfileOf(const scoring::Sessio
     ProfileMaker maker;
     bool any = false;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (!trial.insertion || trial.tools.empty())
+        const scoring::InsertionSeries* found = scoring::insertionOf(trial);
+        if (found == nullptr || trial.tools.empty())
             continue;
-        const scoring::InsertionSeries& series = *trial.insertion;
+        const scoring::InsertionSeries& series = *found;
         if (!any)
             addFacts(maker.profile(), series.bend_m, series.length_m, series.goal_m, series.landmarkSeen_s);
         any = true;
         const std::vector<std::uint8_t>& paused = trial.tools.front().paused;
         for (std::size_t i = 0; i < series.s_m.size(); ++i)
             if (i >= paused.size() || paused[i] == 0)
-                maker.add(static_cast<core::ProcedureStage>(series.stage[i]), series.s_m[i],
+                maker.add(static_cast<simulation::ProcedureStage>(series.stage[i]), series.s_m[i],
                           series.offset_m[i], series.alignment_rad[i]);
     }
     return any ? std::optional(std::move(maker.profile())) : std::nullopt;

@@ -76,17 +76,17 @@ Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) 
         return Measurement::undefined(reasons::kNoTrials);
     std::vector<double> x_m, y_m;
     for (const PreparedTrial& trial : trials) {
-        if (!trial.trial->apex || !(trial.trial->apex->radius_m > 0.0))
+        if (!trial.trial->target || !(trial.trial->target->radius_m > 0.0))
             return Measurement::undefined(reasons::kApexUnknown);
-        x_m.push_back(trial.trial->apex->x_m);
-        y_m.push_back(trial.trial->apex->y_m);
+        x_m.push_back(trial.trial->target->x_m);
+        y_m.push_back(trial.trial->target->y_m);
     }
     if (trials.size() < 2)
         return Measurement::undefined(reasons::kOneTrialHasNoChance);
     const double bestX_m = median(x_m), bestY_m = median(y_m);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
-        const ApexTruth& truth = *trial.trial->apex;
+        const TargetTruth& truth = *trial.trial->target;
         sum += (std::abs(truth.x_m - bestX_m) + std::abs(truth.y_m - bestY_m)) / truth.radius_m;
     }
     return Measurement::of(100.0 * sum / (2.0 * static_cast<double>(trials.size())));

@@ -8,11 +8,11 @@
 namespace chiron::scoring {
 
 std::optional<ApexAnswer> apexAnswer(const PreparedTrial& trial) {
-    if (!trial.trial->apex || !(trial.trial->apex->radius_m > 0.0))
+    if (!trial.trial->target || !(trial.trial->target->radius_m > 0.0))
         return std::nullopt;
     if (!trial.trial->marked && trial.tool == nullptr)
         return std::nullopt;
-    const ApexTruth& truth = *trial.trial->apex;
+    const TargetTruth& truth = *trial.trial->target;
     const core::Vec3 p = trial.trial->marked ? trial.trial->p_WMark_m : trial.tool->p_WT_m.back();
     const double dx = p.x() - truth.x_m;
     const double dy = p.y() - truth.y_m;
@@ -30,7 +30,7 @@ ApexAnswers apexAnswers(std::span<const PreparedTrial> trials) {
         const std::optional<ApexAnswer> answer = apexAnswer(trial);
         if (!answer) {
             all.undefined =
-                Measurement::undefined(trial.trial->apex ? reasons::kNoPosition : reasons::kApexUnknown);
+                Measurement::undefined(trial.trial->target ? reasons::kNoPosition : reasons::kApexUnknown);
             return all;
         }
         all.answers.push_back(*answer);

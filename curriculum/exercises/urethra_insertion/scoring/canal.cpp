@@ -52,7 +52,7 @@ Measurement measureBendAlignment(std::span<const PreparedTrial> trials) {
         return *why;
     RootMeanSquare angle_rad;
     forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) {
-        if (isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i))
+        if (isStage(series, i, simulation::ProcedureStage::insertion) && isAtBend(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
     return angle_rad.empty() ? Measurement::undefined(reasons::kNeverAtBend)
@@ -64,7 +64,7 @@ Measurement measureCurveAlignment(std::span<const PreparedTrial> trials) {
         return *why;
     RootMeanSquare angle_rad;
     forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) {
-        if (isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i))
+        if (isStage(series, i, simulation::ProcedureStage::insertion) && isInCurve(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
     return angle_rad.empty() ? Measurement::undefined(reasons::kNeverAtBend)
@@ -85,12 +85,12 @@ core::Vec3 axisOf(const ToolTrace& tool, std::size_t i) {
 class TurningAdvance {
 public:
     explicit TurningAdvance(const TrialTrace& trial)
-        : m_tool(trial.tools.front()), m_series(*trial.insertion) {}
+        : m_tool(trial.tools.front()), m_series(*insertionOf(trial)) {}
 
     double measure(bool& reached) {
         double advance_m = 0.0, deepest_m = m_series.bend_m;
         for (std::size_t i = 0; i < m_tool.t_s.size(); ++i) {
-            if (m_tool.paused[i] != 0 || !isStage(m_series, i, core::ProcedureStage::insertion) ||
+            if (m_tool.paused[i] != 0 || !isStage(m_series, i, simulation::ProcedureStage::insertion) ||
                 m_series.s_m[i] < m_series.bend_m)
                 continue;
             reached = true;
@@ -159,7 +159,7 @@ Measurement measureTraumaImpulse(std::span<const PreparedTrial> trials) {
     double impulse_Ns = 0.0;
     for (const PreparedTrial& trial : trials) {
         const ToolTrace& tool = *trial.tool;
-        const InsertionSeries& series = *trial.trial->insertion;
+        const InsertionSeries& series = *insertionOf(*trial.trial);
         for (std::size_t i = 0; i + 1 < tool.t_s.size(); ++i)
             if (tool.paused[i] == 0 && series.lateral_N[i] > series.lateralLimit_N)
                 impulse_Ns += series.lateral_N[i] * (tool.t_s[i + 1] - tool.t_s[i]);
@@ -192,7 +192,7 @@ Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
     std::size_t asked = 0;
     std::size_t seen = 0;
     for (const PreparedTrial& trial : trials)
-        for (const double seen_s : trial.trial->insertion->landmarkSeen_s) {
+        for (const double seen_s : insertionOf(*trial.trial)->landmarkSeen_s) {
             ++asked;
             seen += std::isnan(seen_s) ? 0 : 1;
         }
@@ -208,7 +208,7 @@ public:
     bool inspects(double t_s) {
         while (m_at + 1 < m_tool.t_s.size() && m_tool.t_s[m_at + 1] <= t_s)
             ++m_at;
-        return isStage(m_series, m_at, core::ProcedureStage::inspection);
+        return isStage(m_series, m_at, simulation::ProcedureStage::inspection);
     }
 
 private:
@@ -224,8 +224,8 @@ Measurement measureInspectionTravel(std::span<const PreparedTrial> trials) {
     bool asked = false;
     bool any = false;
     for (const PreparedTrial& trial : trials) {
-        asked = asked || !trial.trial->insertion->landmarkSeen_s.empty();
-        StageAt stageAt(*trial.tool, *trial.trial->insertion);
+        asked = asked || !insertionOf(*trial.trial)->landmarkSeen_s.empty();
+        StageAt stageAt(*trial.tool, *insertionOf(*trial.trial));
         for (const MotionRun& run : trial.motion.runs)
             for (std::size_t i = 0; i + 1 < run.p_WT_m.size(); ++i) {
                 const bool inspects = stageAt.inspects(run.t_s[i]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "curriculum/exercises/urethra_insertion/scoring/canal_reasons.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
@@ -19,12 +20,12 @@ inline std::optional<Measurement> withoutCanal(std::span<const PreparedTrial> tr
     if (trials.empty())
         return Measurement::undefined(reasons::kNoTrials);
     for (const PreparedTrial& trial : trials)
-        if (trial.tool == nullptr || !trial.trial->insertion)
+        if (trial.tool == nullptr || insertionOf(*trial.trial) == nullptr)
             return Measurement::undefined(reasons::kNoInsertionData);
     return std::nullopt;
 }
 
-inline bool isStage(const InsertionSeries& series, std::size_t i, core::ProcedureStage stage) {
+inline bool isStage(const InsertionSeries& series, std::size_t i, simulation::ProcedureStage stage) {
     return series.stage[i] == static_cast<std::uint8_t>(stage);
 }
 
@@ -54,10 +55,12 @@ inline bool isInCurve(const InsertionSeries& series, std::size_t i) {
 
 /// Calls visit(series, i) for each unpaused sample of tool 0. Requires that withoutCanal() returns none.
 template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> trials, Visit&& visit) {
-    for (const PreparedTrial& trial : trials)
+    for (const PreparedTrial& trial : trials) {
+        const InsertionSeries& series = *insertionOf(*trial.trial);
         for (std::size_t i = 0; i < trial.tool->t_s.size(); ++i)
             if (trial.tool->paused[i] == 0)
-                visit(*trial.trial->insertion, i);
+                visit(series, i);
+    }
 }
 
 /// Root mean square over the added samples. Every sample has the same weight, as in the force metrics.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 
+#include "curriculum/exercises/urethra_insertion/scoring/canal_series.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
@@ -125,9 +126,10 @@ private:
 
 InsertionEvents insertionEvents(const TrialTrace& trial) {
     InsertionEvents events;
-    if (!trial.insertion || trial.tools.empty())
+    const InsertionSeries* found = insertionOf(trial);
+    if (found == nullptr || trial.tools.empty())
         return events;
-    const InsertionSeries& series = *trial.insertion;
+    const InsertionSeries& series = *found;
     const ToolTrace& tool = trial.tools.front();
     TraumaCounter trauma(series.lateralLimit_N, events.trauma);
     ReversalFinder reversals(events.reversals);
@@ -136,7 +138,8 @@ InsertionEvents insertionEvents(const TrialTrace& trial) {
             trauma.pause(tool.t_s[i]);
         else
             trauma.add(tool.t_s[i], series.lateral_N[i]);
-        const bool inserts = series.stage[i] == static_cast<std::uint8_t>(core::ProcedureStage::insertion);
+        const bool inserts =
+            series.stage[i] == static_cast<std::uint8_t>(simulation::ProcedureStage::insertion);
         if (tool.paused[i] == 0 && inserts)
             reversals.add(tool.t_s[i], series.s_m[i]);
         else

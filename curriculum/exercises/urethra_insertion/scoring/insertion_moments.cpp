@@ -13,7 +13,7 @@ namespace {
 /// Returns none if the quantity's metrics leave the sample out.
 std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantity, std::size_t i) {
     const ToolTrace& tool = trial.tools.front();
-    const InsertionSeries& series = *trial.insertion;
+    const InsertionSeries& series = *insertionOf(trial);
     if (tool.paused[i] != 0)
         return std::nullopt;
     switch (quantity) {
@@ -22,11 +22,11 @@ std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantit
     case InsertionQuantity::alignment:
         return isInUrethra(series, i) ? std::optional(series.alignment_rad[i]) : std::nullopt;
     case InsertionQuantity::bendAlignment:
-        return isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i)
+        return isStage(series, i, simulation::ProcedureStage::insertion) && isAtBend(series, i)
                    ? std::optional(series.alignment_rad[i])
                    : std::nullopt;
     case InsertionQuantity::curveAlignment:
-        return isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i)
+        return isStage(series, i, simulation::ProcedureStage::insertion) && isInCurve(series, i)
                    ? std::optional(series.alignment_rad[i])
                    : std::nullopt;
     case InsertionQuantity::torque:
@@ -36,7 +36,7 @@ std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantit
 }
 
 std::size_t samplesOf(const TrialTrace& trial) {
-    return trial.insertion && !trial.tools.empty() ? trial.tools.front().t_s.size() : 0;
+    return insertionOf(trial) != nullptr && !trial.tools.empty() ? trial.tools.front().t_s.size() : 0;
 }
 
 } // namespace

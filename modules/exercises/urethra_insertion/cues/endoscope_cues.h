@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cues/procedure_stage.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_stage.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ struct EndoscopeCues {
     bool present = false;      ///< this exercise has an endoscope
     bool pictureShown = false; ///< cue "object": the camera's picture is on
     bool guided = false;       ///< cue "guidance": the path is marked in the picture
-    core::ProcedureStage stage = core::ProcedureStage::outside;
+    simulation::ProcedureStage stage = simulation::ProcedureStage::outside;
     /// Insertion depth of the tip by the marks on the shaft (arc length of the urethra); < 0 before A.
     double depth_m = 0.0;
     /// Unit direction, in T, to the centre of the lumen at the greatest distance at which it can be seen.

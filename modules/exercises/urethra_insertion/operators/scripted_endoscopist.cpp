@@ -2,8 +2,8 @@
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
 
 #include "core/units.h"
-#include "cues/procedure_stage.h"
 #include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/procedure_stage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,14 +78,14 @@ ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& fel
     if (felt.cues.phase != core::TrialPhase::running || felt.cues.force != core::ForceState::on)
         return Doing::rest;
     switch (felt.cues.exercise.of<simulation::EndoscopeCues>().stage) {
-    case core::ProcedureStage::outside:
-    case core::ProcedureStage::insertion:
+    case simulation::ProcedureStage::outside:
+    case simulation::ProcedureStage::insertion:
         if (m_doing == Doing::back)
             return since(felt) < kBack_s ? Doing::back : Doing::insert;
         return m_doing == Doing::insert && (isStuck(felt) || drawsBack(felt)) ? Doing::back : Doing::insert;
-    case core::ProcedureStage::inspection:
+    case simulation::ProcedureStage::inspection:
         return Doing::inspect;
-    case core::ProcedureStage::withdrawal: {
+    case simulation::ProcedureStage::withdrawal: {
         if (m_doing == Doing::withdraw || !m_settings.alignsBeforeWithdrawal)
             return Doing::withdraw;
         const EndoscopeWish left = align(felt, felt.depth_m);
@@ -94,7 +94,7 @@ ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& fel
         return m_doing == Doing::align && (aligned || since(felt) > kAligning_s) ? Doing::withdraw
                                                                                  : Doing::align;
     }
-    case core::ProcedureStage::completed:
+    case simulation::ProcedureStage::completed:
         break;
     }
     return Doing::rest;

@@ -8,7 +8,7 @@
 
 namespace chiron::simulation {
 
-using core::ProcedureStage;
+using simulation::ProcedureStage;
 
 namespace {
 

@@ -75,7 +75,7 @@ public:
     /// that is not finite is skipped.
     ProcedureStep advance(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
 
-    core::ProcedureStage stage() const noexcept { return m_stage; }
+    simulation::ProcedureStage stage() const noexcept { return m_stage; }
     std::uint32_t seen() const noexcept { return m_seen; }
     /// The first landmark in the plan's order that has not been seen; −1 when none is left or the stage is
     /// not inspection.
@@ -97,12 +97,13 @@ private:
     void measureSpeed(const core::Vec3& p_A) noexcept;
     std::uint32_t look(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
     bool inView(const ProcedureSample& now, std::size_t landmark) const noexcept;
-    core::ProcedureStage after(core::ProcedureStage stage, const ProcedureSample& now) const noexcept;
+    simulation::ProcedureStage after(simulation::ProcedureStage stage,
+                                     const ProcedureSample& now) const noexcept;
     const Place& place(std::uint64_t number) const noexcept { return m_places[number % kPlaces]; }
 
     ProcedurePlan m_plan;
     MeatusGate m_gate;
-    core::ProcedureStage m_stage = core::ProcedureStage::outside;
+    simulation::ProcedureStage m_stage = simulation::ProcedureStage::outside;
     std::uint32_t m_seen = 0;
     std::array<std::uint64_t, ProcedurePlan::kMaxLandmarks> m_held_us{};
     bool m_began = false;

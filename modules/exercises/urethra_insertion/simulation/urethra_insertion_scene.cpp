@@ -79,7 +79,7 @@ void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
         out.events |= step.stageChanged ? bits::kStageChanged : 0u;
         out.events |= step.seenNow != 0 ? procedure_bits::kLandmarkSeen : 0u;
     }
-    if (m_tracker.stage() == core::ProcedureStage::completed)
+    if (m_tracker.stage() == simulation::ProcedureStage::completed)
         m_course.end(bits::kCompleted, out);
     else if (m_course.timeIsUp())
         m_course.end(bits::kTimedOut, out);

@@ -107,13 +107,13 @@ private slots:
             const auto at =
                 std::find_if(trace->trials.begin(), trace->trials.end(), [&](const scoring::TrialTrace& t) {
                     // traces are on a grid of nanometres
-                    return mark && t.apex &&
-                           std::abs(t.p_WMark_m.x() - t.apex->x_m - mark->errorX_m) < 1e-9 &&
-                           std::abs(t.p_WMark_m.y() - t.apex->y_m - mark->errorY_m) < 1e-9;
+                    return mark && t.target &&
+                           std::abs(t.p_WMark_m.x() - t.target->x_m - mark->errorX_m) < 1e-9 &&
+                           std::abs(t.p_WMark_m.y() - t.target->y_m - mark->errorY_m) < 1e-9;
                 });
             QVERIFY2(at != trace->trials.end(), "no recorded mark has this error");
             QCOMPARE(mark->inContact, at->markInContact);
-            places.insert(at->apex->x_m);
+            places.insert(at->target->x_m);
             QCOMPARE(*trial.value, std::hypot(mark->errorX_m, mark->errorY_m));
         }
         QCOMPARE(places.size(), trials.size()); // each sphere lies elsewhere

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace chiron::core {
+namespace chiron::simulation {
 
 /// Stage of a procedure that goes into the body and out again. The numbers are part of the recording's
 /// format.
@@ -15,4 +15,4 @@ enum class ProcedureStage : std::uint8_t {
     completed = 4,  ///< everything that the level asks for is done
 };
 
-} // namespace chiron::core
+} // namespace chiron::simulation
