@@ -259,7 +259,8 @@ Demonstration PalpationKind::demonstration() const {
 
 std::vector<MomentRule> PalpationKind::momentRules() const {
     using namespace mark_kinds;
-    return {{.metric = "palpation_misses", .marks = {kLumpMissed}, .ofWholeTrial = true},
+    return {{.metric = "palpation_hits", .marks = {kLumpMissed}, .ofWholeTrial = true},
+            {.metric = "palpation_misses", .marks = {kLumpMissed}, .ofWholeTrial = true},
             {.metric = "palpation_false_alarms", .marks = {kFalseAlarm}}};
 }
 
