@@ -5,6 +5,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
 
 // A site's people from the first administrator to the last, as a technician scripts it.
 class TestCliAccounts : public QObject {

@@ -34,6 +34,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <tuple>
 
 using chiron::tests::kPatience_ms;
 

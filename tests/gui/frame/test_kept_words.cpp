@@ -40,6 +40,7 @@
 #include "support/languages.h"
 
 #include <QtTest>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;

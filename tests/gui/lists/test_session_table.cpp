@@ -6,6 +6,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::desktop;

@@ -32,6 +32,7 @@
 #include <QTableView>
 #include <QtTest>
 #include <cmath>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;

@@ -8,6 +8,7 @@
 #include "database/accounts/user_csv.h"
 #include "database/privacy/erasure.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QRandomGenerator>
 #include <QRegularExpression>
+#include <algorithm>
 #include <atomic>
 #include <sqlite3.h>
 

@@ -11,7 +11,9 @@
 #include "database/repositories/audit_repository.h"
 
 #include <QRandomGenerator>
+#include <algorithm>
 #include <iconv.h>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::database;

@@ -7,6 +7,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 
