@@ -21,6 +21,7 @@
 #include <QComboBox>
 #include <QCursor>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>

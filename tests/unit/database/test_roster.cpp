@@ -10,6 +10,7 @@
 #include "database/query.h"
 #include "database/repositories/audit_repository.h"
 
+#include <QDirIterator>
 #include <QRandomGenerator>
 #include <algorithm>
 #include <iconv.h>
