@@ -6,6 +6,7 @@
 
 #include <future>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace chiron::database {

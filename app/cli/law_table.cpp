@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace chiron::cli {
 

@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QString>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <array>
 #include <charconv>
+#include <string_view>
 
 namespace chiron::catalogue {
 

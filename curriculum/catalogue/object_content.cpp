@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::catalogue {

@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_rules.h"
 
+#include <cstdint>
 #include <sodium.h>
 #include <string_view>
 

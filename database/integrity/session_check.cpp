@@ -4,6 +4,8 @@
 #include "database/query.h"
 #include "database/repositories/session_seal.h"
 
+#include <algorithm>
+
 namespace chiron::database {
 namespace {
 

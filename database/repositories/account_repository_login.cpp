@@ -7,6 +7,8 @@
 #include "database/integrity/digested_row.h"
 #include "database/repositories/account_repository.h"
 
+#include <algorithm>
+
 namespace chiron::database {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTemporaryDir>
+#include <cstdint>
 #include <memory>
 #include <sys/resource.h>
 

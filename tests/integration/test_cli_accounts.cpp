@@ -4,7 +4,9 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLockFile>
 #include <QtTest>
+#include <algorithm>
 
 // A site's people from the first administrator to the last, as a technician scripts it.
 class TestCliAccounts : public QObject {

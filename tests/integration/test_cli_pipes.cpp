@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QThread>
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace chiron;

@@ -5,7 +5,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 // The psychophysics commands from outside: keys, warnings, lines in and out, refusals with the place.
 class TestCliPsychophysics : public QObject {

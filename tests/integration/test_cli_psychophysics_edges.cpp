@@ -5,6 +5,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 // What the psychophysics commands must not take in silence, or make a number of.
 class TestCliPsychophysicsEdges : public QObject {

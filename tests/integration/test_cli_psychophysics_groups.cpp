@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QtTest>
 #include <cmath>
+#include <utility>
 
 // `psychophysics fit --by` and `psychophysics compare`: one fit for each group, and whether groups differ.
 class TestCliPsychophysicsGroups : public QObject {

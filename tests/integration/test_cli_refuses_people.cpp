@@ -2,6 +2,8 @@
 #include "cli_process.h"
 
 #include <QtTest>
+#include <utility>
+#include <vector>
 
 // Commands that touch people's data or files, before anybody is let in: refused with the right exit status,
 // one line on stderr that names the place, nothing on stdout, and nothing left behind.

@@ -5,6 +5,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <utility>
 
 // What study commands leave behind: exports that hold all that was estimated and overwrite nobody, and
 // refused ones nothing.

@@ -7,6 +7,7 @@
 #include "ladder/ladder_store.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <random>

@@ -10,6 +10,7 @@
 #include <QProcess>
 #include <QThread>
 #include <csignal>
+#include <cstdio>
 #include <sys/resource.h>
 
 using namespace chiron;

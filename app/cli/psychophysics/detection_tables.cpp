@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <cmath>
+#include <optional>
 
 namespace chiron::cli {
 

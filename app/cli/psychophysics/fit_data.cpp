@@ -7,6 +7,7 @@
 #include "psychophysics/fits/prepared_levels.h"
 
 #include <QHash>
+#include <algorithm>
 #include <array>
 #include <cmath>
 

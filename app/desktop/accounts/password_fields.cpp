@@ -7,6 +7,7 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QLocale>
 
 namespace chiron::desktop {
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <initializer_list>
+#include <utility>
+#include <vector>
 
 class QBoxLayout;
 class QPushButton;

@@ -6,6 +6,8 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 
+#include <algorithm>
+
 namespace chiron::desktop {
 
 namespace {

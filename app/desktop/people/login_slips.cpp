@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFontDatabase>
+#include <QPen>
 #include <algorithm>
 #include <qcustomplot.h>
 

@@ -11,6 +11,7 @@
 
 #include <QComboBox>
 #include <QRadioButton>
+#include <algorithm>
 #include <array>
 
 namespace chiron::desktop {

@@ -12,6 +12,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <algorithm>
 
 namespace chiron::desktop {
 

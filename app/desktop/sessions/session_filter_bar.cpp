@@ -13,6 +13,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace chiron::desktop {
 

@@ -15,6 +15,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QTableView>
+#include <algorithm>
 
 namespace chiron::desktop {
 

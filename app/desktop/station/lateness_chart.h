@@ -6,6 +6,7 @@
 
 #include <QLocale>
 #include <QWidget>
+#include <vector>
 
 namespace chiron::desktop {
 

@@ -16,6 +16,7 @@
 
 #include <QHBoxLayout>
 #include <QTimer>
+#include <algorithm>
 
 namespace chiron::desktop {
 

@@ -14,6 +14,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QTableWidget>
+#include <algorithm>
 
 namespace chiron::desktop {
 

@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
+#include <algorithm>
 
 namespace chiron::desktop {
 

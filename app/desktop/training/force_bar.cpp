@@ -2,6 +2,7 @@
 #include "desktop/training/force_bar.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {

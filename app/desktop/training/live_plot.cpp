@@ -2,6 +2,7 @@
 #include "desktop/training/live_plot.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {

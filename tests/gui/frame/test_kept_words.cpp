@@ -48,6 +48,7 @@
 
 #include <QtTest>
 #include <set>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;

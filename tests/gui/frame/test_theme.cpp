@@ -18,6 +18,8 @@
 #include <QVBoxLayout>
 #include <QtTest>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 using chiron::tests::kPatience_ms;
 

@@ -8,6 +8,7 @@
 #include "desktop/sessions/session_row.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -16,6 +16,7 @@
 #include <set>
 
 #include <qcustomplot.h>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;

@@ -26,6 +26,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QToolTip>
+#include <tuple>
 
 using chiron::tests::kPatience_ms;
 

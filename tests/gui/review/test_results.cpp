@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QVector>
 #include <qcustomplot.h>
 
 using chiron::tests::kPatience_ms;

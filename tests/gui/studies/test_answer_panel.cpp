@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 using psychophysics::Task;

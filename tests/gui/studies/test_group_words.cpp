@@ -9,6 +9,8 @@
 #include "session_report/study_comparison_words.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 using psychophysics::WarningKind;

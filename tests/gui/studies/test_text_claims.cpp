@@ -9,6 +9,7 @@
 #include "desktop/studies/text_claims.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <set>
 
 using namespace chiron;

@@ -3,6 +3,7 @@
 #include "desktop/sound/cue_synthesiser.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

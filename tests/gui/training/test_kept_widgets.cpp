@@ -35,6 +35,7 @@
 #include <QtTest>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;

@@ -7,6 +7,7 @@
 #include "support/sitting_hands.h"
 
 #include <QDialog>
+#include <cstdio>
 #include <functional>
 
 namespace chiron::tests {

@@ -4,6 +4,7 @@
 #include "core/languages.h"
 #include "support/content_copy.h"
 
+#include <QJsonDocument>
 #include <QtTest>
 
 using namespace chiron;

@@ -4,6 +4,7 @@
 #include "database/integrity/verifier.h"
 #include "database/query.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 

@@ -10,6 +10,7 @@
 #include "database/repositories/station_repository.h"
 #include "database/repositories/study_rules.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 

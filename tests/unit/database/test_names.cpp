@@ -8,6 +8,8 @@
 #include "database/repositories/audit_repository.h"
 #include "database/repositories/privacy_repository.h"
 
+#include <algorithm>
+
 using namespace chiron;
 using namespace chiron::database;
 using namespace chiron::test;

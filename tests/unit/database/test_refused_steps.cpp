@@ -8,6 +8,8 @@
 #include <QDir>
 #include <QRandomGenerator>
 #include <QRegularExpression>
+#include <algorithm>
+#include <atomic>
 #include <sqlite3.h>
 
 using namespace chiron;

@@ -13,6 +13,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QThread>
+#include <algorithm>
 #include <csignal>
 #include <sys/resource.h>
 

@@ -10,8 +10,11 @@
 #include "database/query.h"
 #include "database/repositories/audit_repository.h"
 
+#include <QDirIterator>
 #include <QRandomGenerator>
+#include <algorithm>
 #include <iconv.h>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::database;

@@ -5,6 +5,8 @@
 #include "database/privacy/erasure.h"
 #include "database/query.h"
 
+#include <algorithm>
+
 using namespace chiron;
 using namespace chiron::database;
 using namespace chiron::test;

@@ -9,6 +9,7 @@
 #include <QCryptographicHash>
 #include <QScopeGuard>
 #include <bit>
+#include <cmath>
 #include <ctime>
 #include <limits>
 

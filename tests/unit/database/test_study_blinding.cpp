@@ -11,7 +11,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::database;

@@ -14,6 +14,7 @@
 #include <QProcess>
 #include <QThread>
 #include <csignal>
+#include <cstdio>
 #include <sys/resource.h>
 
 using namespace chiron;

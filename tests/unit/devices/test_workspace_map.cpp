@@ -4,6 +4,7 @@
 #include "core/random.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 using core::Mat3;

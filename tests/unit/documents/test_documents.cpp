@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron::test;
 

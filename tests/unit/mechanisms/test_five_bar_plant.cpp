@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace chiron;
 using core::Vec3;

@@ -5,6 +5,7 @@
 #include "operators/hand/senses.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

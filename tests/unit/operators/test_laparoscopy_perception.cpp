@@ -6,6 +6,7 @@
 #include "operators/laparoscopy/scripted_hand.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>

@@ -3,6 +3,7 @@
 #include "support/palpation_detection.h"
 #include "support/sanitized.h"
 
+#include <QVector>
 #include <QtTest>
 #include <functional>
 

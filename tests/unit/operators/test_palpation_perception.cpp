@@ -6,6 +6,7 @@
 #include "modules/exercises/palpation/operators/search_path.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron;

@@ -9,6 +9,7 @@
 #include "coverage_runs.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <array>
 
 using coverage_runs::Row;

@@ -3,6 +3,7 @@
 // likelihoods are those of a grid polished by two general optimisers.
 #include "psychophysics/fits/fit.h"
 
+#include <QVector>
 #include <QtTest>
 #include <cmath>
 #include <random>

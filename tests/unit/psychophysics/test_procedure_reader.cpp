@@ -6,6 +6,7 @@
 
 #include <QJsonDocument>
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 using namespace chiron::catalogue;

@@ -9,6 +9,7 @@
 #include "psychophysics/procedures/rank3_quest_plus.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron;

@@ -6,6 +6,7 @@
 #include "reference_json.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron::psychophysics;

@@ -5,6 +5,7 @@
 #include "realtime/virtual_clock.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <limits>
 #include <pthread.h>
 #include <sys/prctl.h>

@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QRegularExpression>
 #include <QtTest>
+#include <tuple>
 
 using namespace chiron;
 

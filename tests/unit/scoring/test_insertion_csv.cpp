@@ -8,6 +8,7 @@
 #include "scoring/trace_csv.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <bit>
 
 using namespace chiron;

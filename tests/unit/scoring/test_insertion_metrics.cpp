@@ -4,6 +4,7 @@
 #include "insertion_traces.h"
 
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::scoring;

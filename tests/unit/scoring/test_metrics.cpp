@@ -5,6 +5,8 @@
 #include "core/units.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <map>
 
 using namespace chiron;
 using namespace chiron::scoring;

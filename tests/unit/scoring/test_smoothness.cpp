@@ -5,6 +5,7 @@
 #include "core/units.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

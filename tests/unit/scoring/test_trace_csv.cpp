@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <bit>
 #include <clocale>
+#include <cmath>
 
 using namespace chiron;
 using namespace chiron::scoring;

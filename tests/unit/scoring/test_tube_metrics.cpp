@@ -4,6 +4,7 @@
 #include "traces.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <numbers>
 
 using namespace chiron;

@@ -6,6 +6,7 @@
 #include "scoring/trace.h"
 #include "scoring/trace_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>

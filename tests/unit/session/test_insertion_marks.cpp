@@ -9,6 +9,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 using namespace chiron;

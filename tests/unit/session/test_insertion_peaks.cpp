@@ -7,6 +7,7 @@
 #include "session/worst_moment.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 namespace mark_kinds = session::mark_kinds;

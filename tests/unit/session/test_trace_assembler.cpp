@@ -5,6 +5,8 @@
 #include "session/trace_mark.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 using tests::MillimetreCounts;

@@ -4,6 +4,7 @@
 #include "simulation/evaluate_laws.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>

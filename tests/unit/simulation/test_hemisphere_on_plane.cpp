@@ -4,8 +4,10 @@
 #include "simulation/geometry/hemisphere_on_plane.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace chiron;
 using core::Vec3;

@@ -4,6 +4,7 @@
 #include "simulation/geometry/urethra/urethra_centreline.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron;

@@ -6,6 +6,7 @@
 #include "urethra_vertices.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>

@@ -5,6 +5,7 @@
 #include "support/urethra_reference_geometry.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 

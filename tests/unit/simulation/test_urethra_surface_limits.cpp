@@ -4,6 +4,7 @@
 #include "urethra_vertices.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -4,6 +4,7 @@
 #include "simulation/geometry/urethra/urethra_curve_net.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 

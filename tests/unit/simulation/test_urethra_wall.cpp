@@ -4,6 +4,7 @@
 #include "simulation/geometry/urethra/urethra_wall.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -7,6 +7,7 @@
 #include "desktop/scene3d/plugin/skin_texture.h"
 
 #include <QMatrix4x4>
+#include <QVariant>
 #include <algorithm>
 #include <utility>
 

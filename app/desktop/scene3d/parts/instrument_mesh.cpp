@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "desktop/scene3d/parts/loft.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::scene3d {

@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_note_painter.h"
 
 #include <QPainter>
+#include <QVariant>
 
 namespace chiron::scene3d {
 

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
+#include <algorithm>
 
 namespace chiron::scene3d {
 

@@ -4,6 +4,7 @@
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/parts/loft.h"
 
+#include <QVariant>
 #include <QtMath>
 
 namespace chiron::scene3d {

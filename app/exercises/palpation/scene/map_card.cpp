@@ -2,6 +2,7 @@
 #include "app/exercises/palpation/scene/map_card.h"
 
 #include <QPainter>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 

@@ -14,6 +14,7 @@
 #include <Qt3DRender/QRenderTargetOutput>
 #include <Qt3DRender/QRenderTargetSelector>
 #include <Qt3DRender/QTextureWrapMode>
+#include <algorithm>
 
 namespace chiron::scene3d {
 

@@ -14,6 +14,7 @@
 #include <Qt3DRender/QSubtreeEnabler>
 #include <Qt3DRender/QTexture>
 #include <Qt3DRender/QViewport>
+#include <array>
 
 namespace chiron::scene3d {
 

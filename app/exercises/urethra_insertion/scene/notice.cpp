@@ -5,6 +5,7 @@
 #include "desktop/scene3d/parts/flat_shapes.h"
 
 #include <QPainter>
+#include <QVariant>
 #include <Qt3DRender/QPaintedTextureImage>
 #include <Qt3DRender/QTexture>
 #include <algorithm>

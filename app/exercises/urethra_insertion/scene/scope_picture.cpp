@@ -7,6 +7,7 @@
 #include "desktop/scene3d/parts/flat_shapes.h"
 #include "desktop/scene3d/plugin/picture_texture.h"
 
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::devices {

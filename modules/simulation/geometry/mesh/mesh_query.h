@@ -3,6 +3,7 @@
 
 #include "simulation/geometry/mesh/mesh_place.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -5,6 +5,7 @@
 #include "psychophysics/study/apex_study.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron::psychophysics;

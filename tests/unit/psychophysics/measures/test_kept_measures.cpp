@@ -27,6 +27,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 using namespace chiron;
 using namespace psychophysics;

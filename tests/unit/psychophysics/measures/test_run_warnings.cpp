@@ -5,6 +5,7 @@
 #include "psychophysics/study/arrangement.h"
 
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::psychophysics;

@@ -6,6 +6,7 @@
 
 #include "psychophysics/study/attribute.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -2,6 +2,7 @@
 #include "session/study/questionnaire_replies.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 

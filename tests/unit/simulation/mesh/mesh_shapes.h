@@ -6,6 +6,7 @@
 #include "simulation/geometry/mesh/make_mesh.h"
 #include "simulation/geometry/mesh/mesh_place.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>

@@ -13,6 +13,7 @@
 #include <QtTest>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::simulation;
