@@ -80,7 +80,7 @@ std::optional<std::size_t> worstOf(const SampleSeries& series, const CriticalErr
 
 /// Adds crosses on the tools' lines of `quantity`, at the worst sample of each error. `legend`: also adds the
 /// name and the errors' numbers.
-void addCriticalErrors(PlotView& view, const SampleSeries& series, Quantity quantity, bool legend = true) {
+void markCriticalErrors(PlotView& view, const SampleSeries& series, Quantity quantity, bool legend = true) {
     std::vector<PlotPoint> points;
     std::vector<int> numbers;
     for (std::size_t i = 0; i < series.criticalErrors.size(); ++i) {
@@ -114,7 +114,7 @@ std::unique_ptr<PlotView> toolsForcePlot(const QString& title, const SampleSerie
     auto view = timePlot(title, {Words::tr("Force (N)"), 0.0, {}}, series, theme);
     addTools(*view, series, quantity, {});
     addLimitLine(*view, limit_N, theme);
-    addCriticalErrors(*view, series, quantity);
+    markCriticalErrors(*view, series, quantity);
     finish(*view, series, false);
     return view;
 }
@@ -148,7 +148,7 @@ std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series,
               std::pair{Words::tr("Position of the tool tips, z"), &ToolSamples::z_mm}}) {
             plots.push_back(timePlot(title, {Words::tr("Position (mm)"), {}, {}}, series, theme));
             addTools(*plots.back(), series, quantity, {});
-            addCriticalErrors(*plots.back(), series, quantity);
+            markCriticalErrors(*plots.back(), series, quantity);
             finish(*plots.back(), series, empty);
         }
         return plots;
@@ -160,7 +160,7 @@ std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series,
     view.addLine(QStringLiteral("y"), series.t_s, firstOf(series, &ToolSamples::y_mm), PlotStyle::dashedB);
     view.addLine(QStringLiteral("z"), series.t_s, firstOf(series, &ToolSamples::z_mm), PlotStyle::dottedC);
     for (const Quantity quantity : {&ToolSamples::x_mm, &ToolSamples::y_mm, &ToolSamples::z_mm})
-        addCriticalErrors(view, series, quantity, quantity == &ToolSamples::z_mm);
+        markCriticalErrors(view, series, quantity, quantity == &ToolSamples::z_mm);
     finish(view, series, empty);
     return plots;
 }
@@ -183,7 +183,7 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
                       PlotStyle::dashedB);
     addTools(*view, series, &ToolSamples::tissue_N, Words::tr("tissue (assessed)"));
     addLimitLine(*view, limit_N, theme);
-    addCriticalErrors(*view, series, &ToolSamples::tissue_N);
+    markCriticalErrors(*view, series, &ToolSamples::tissue_N);
     finish(*view, series, series.t_s.empty() || firstOf(series, &ToolSamples::tissue_N).empty());
     return view;
 }
@@ -204,7 +204,7 @@ std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme&
                                                  : Words::tr("Speed of the tool tip"),
                          {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
     addTools(*view, series, &ToolSamples::speed_mm_per_s, Words::tr("speed"));
-    addCriticalErrors(*view, series, &ToolSamples::speed_mm_per_s);
+    markCriticalErrors(*view, series, &ToolSamples::speed_mm_per_s);
     finish(*view, series, series.t_s.empty() || firstOf(series, &ToolSamples::speed_mm_per_s).empty());
     return view;
 }

@@ -13,7 +13,7 @@ namespace chiron::catalogue {
 
 namespace {
 
-QString at(const char* list, std::size_t index, const char* key) {
+QString listPlace(const char* list, std::size_t index, const char* key) {
     return memberPath(elementPath(memberPath(QStringLiteral("$"), list), static_cast<qsizetype>(index)), key);
 }
 
@@ -25,16 +25,17 @@ void checkMetrics(const ExerciseLevel& level, Problems& problems) {
         const MetricChoice& choice = level.metrics[i];
         const QString id = QString::fromStdString(choice.id);
         if (scoring::findMetric(choice.id) == nullptr)
-            problems.push_back({at("metrics", i, "id"), quoted(id),
+            problems.push_back({listPlace("metrics", i, "id"), quoted(id),
                                 QStringLiteral("a metric of the catalogue") + didYouMean(id, known)});
         else if (scoring::findMetric(choice.id, choice.version) == nullptr)
-            problems.push_back({at("metrics", i, "version"), QString::number(choice.version),
+            problems.push_back({listPlace("metrics", i, "version"), QString::number(choice.version),
                                 QStringLiteral("a version of %1, the newest is %2")
                                     .arg(id)
                                     .arg(scoring::findMetric(choice.id)->version)});
         for (std::size_t k = 0; k < i; ++k)
             if (level.metrics[k].id == choice.id)
-                problems.push_back({at("metrics", i, "id"), quoted(id), QStringLiteral("each metric once")});
+                problems.push_back(
+                    {listPlace("metrics", i, "id"), quoted(id), QStringLiteral("each metric once")});
     }
 }
 
@@ -45,25 +46,26 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
             std::find_if(level.metrics.begin(), level.metrics.end(),
                          [&](const MetricChoice& choice) { return choice.id == gate.metric; });
         if (metric == level.metrics.end()) {
-            problems.push_back({at("gates", i, "metric"), quoted(QString::fromStdString(gate.metric)),
+            problems.push_back({listPlace("gates", i, "metric"), quoted(QString::fromStdString(gate.metric)),
                                 QStringLiteral("one of the level's own metrics")});
             continue;
         }
         const auto* definition = scoring::findMetric(metric->id, metric->version);
         const QString unit = json[static_cast<qsizetype>(i)].toObject()["unit"].toString();
         if (definition != nullptr && unit.toStdString() != definition->unit)
-            problems.push_back({at("gates", i, "unit"), quoted(unit),
+            problems.push_back({listPlace("gates", i, "unit"), quoted(unit),
                                 QStringLiteral("the metric's unit, %1")
                                     .arg(quoted(QString::fromStdString(std::string(definition->unit))))});
         if (!gate.minimum && !gate.maximum)
-            problems.push_back({at("gates", i, "maximum"), QStringLiteral("missing"),
+            problems.push_back({listPlace("gates", i, "maximum"), QStringLiteral("missing"),
                                 QStringLiteral("minimum or maximum or both")});
         if (gate.minimum && gate.maximum && *gate.minimum > *gate.maximum)
-            problems.push_back({at("gates", i, "minimum"), QString::number(*gate.minimum),
+            problems.push_back({listPlace("gates", i, "minimum"), QString::number(*gate.minimum),
                                 QStringLiteral("at most the maximum, %1").arg(*gate.maximum)});
         for (std::size_t k = 0; k < i; ++k)
             if (level.gates[k].metric == gate.metric)
-                problems.push_back({at("gates", i, "metric"), quoted(QString::fromStdString(gate.metric)),
+                problems.push_back({listPlace("gates", i, "metric"),
+                                    quoted(QString::fromStdString(gate.metric)),
                                     QStringLiteral("each metric gated once")});
     }
 }

@@ -25,7 +25,7 @@ Refusal mustWait(std::int64_t wait_ns) {
              "too many wrong passwords: wait " + std::to_string(seconds) + " s before the next attempt"}};
 }
 
-tl::unexpected<Refusal> failed(const core::Error& error) {
+tl::unexpected<Refusal> refusalOf(const core::Error& error) {
     return tl::unexpected(Refusal{Refusal::Kind::failed, 0, error});
 }
 
@@ -72,7 +72,7 @@ core::Result<Actor> AccountService::finish(const LoginAttempt& attempt) {
 tl::expected<Actor, Refusal> AccountService::tryLogin(const std::string& name, const std::string& password) {
     const auto attempt = begin(name, false);
     if (!attempt) {
-        return failed(attempt.error());
+        return refusalOf(attempt.error());
     }
     const PasswordHasher hasher(m_database.options().passwordCost);
     if (auto refused = check(hasher, *attempt, password)) {
@@ -95,11 +95,11 @@ core::Result<Actor> AccountService::login(const std::string& name, const std::st
 tl::expected<std::string, Refusal>
 AccountService::tryRecover(const std::string& name, const std::string& code, const std::string& newPassword) {
     if (auto good = checkPassword(name, newPassword); !good) {
-        return failed(good.error());
+        return refusalOf(good.error());
     }
     const auto attempt = begin(name, true);
     if (!attempt) {
-        return failed(attempt.error());
+        return refusalOf(attempt.error());
     }
     const PasswordHasher hasher(m_database.options().passwordCost);
     if (auto refused = check(hasher, *attempt, code, "recovery code")) {
@@ -109,13 +109,13 @@ AccountService::tryRecover(const std::string& name, const std::string& code, con
     const auto passwordHash = hasher.hash(newPassword);
     const auto codeHash = hasher.hash(newCode);
     if (!passwordHash || !codeHash) {
-        return failed(!passwordHash ? passwordHash.error() : codeHash.error());
+        return refusalOf(!passwordHash ? passwordHash.error() : codeHash.error());
     }
     const auto done = m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), Actor::anonymous())
             .finishRecovery(*attempt, *passwordHash, *codeHash);
     });
-    return done ? tl::expected<std::string, Refusal>(newCode) : failed(done.error());
+    return done ? tl::expected<std::string, Refusal>(newCode) : refusalOf(done.error());
 }
 
 core::Result<std::string> AccountService::recover(const std::string& name, const std::string& code,
@@ -150,12 +150,12 @@ tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Act
     const std::string code = newRecoveryCode();
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(code);
     if (!hash) {
-        return failed(hash.error());
+        return refusalOf(hash.error());
     }
     const auto stored = m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor).setRecoveryCode(actor.personId(), *hash);
     });
-    return stored ? tl::expected<std::string, Refusal>(code) : failed(stored.error());
+    return stored ? tl::expected<std::string, Refusal>(code) : refusalOf(stored.error());
 }
 
 core::Result<std::string> AccountService::makeRecoveryCode(const Actor& actor, const std::string& password) {

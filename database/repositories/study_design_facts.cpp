@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMaximumAnswerCharacters = 10000;
 
-core::Result<void> bad(const std::string& message) {
+core::Result<void> badFact(const std::string& message) {
     return core::fail(core::ErrorCode::badInput, message);
 }
 
@@ -30,8 +30,8 @@ core::Result<void> checkNumber(const std::string& place, double number, double l
                                bool whole) {
     const bool good = number >= lowest && number <= highest && (!whole || number == std::floor(number));
     return good ? core::Result<void>()
-                : bad(place + ": " + std::to_string(number) + ": expected a " + (whole ? "whole " : "") +
-                      "number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+                : badFact(place + ": " + std::to_string(number) + ": expected a " + (whole ? "whole " : "") +
+                          "number from " + std::to_string(lowest) + " to " + std::to_string(highest));
 }
 
 } // namespace
@@ -82,15 +82,15 @@ core::Result<void> checkShown(const QJsonObject& design, const QuestionnaireAnsw
                               const QJsonObject& item, const std::string& place) {
     if (!answer.language.empty() &&
         !item["text"].toObject().contains(QString::fromStdString(answer.language))) {
-        return bad(place + ": language " + answer.language +
-                   ": expected one that the question is written in");
+        return badFact(place + ": language " + answer.language +
+                       ": expected one that the question is written in");
     }
     const bool ofConditions = isOfConditions(design, answer.questionnaire);
     if (ofConditions == (answer.run != 0)) {
         return {};
     }
-    return bad(place + (ofConditions ? ": expected the run that it was asked after"
-                                     : ": expected no run, since it is asked once"));
+    return badFact(place + (ofConditions ? ": expected the run that it was asked after"
+                                         : ": expected no run, since it is asked once"));
 }
 
 } // namespace
@@ -100,16 +100,16 @@ core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAns
     const QJsonObject item =
         withId(withId(design["questionnaires"], answer.questionnaire)["items"], answer.item);
     if (item.isEmpty()) {
-        return bad(place + ": the design asks no such question");
+        return badFact(place + ": the design asks no such question");
     }
     CHIRON_TRY(checkShown(design, answer, item, place));
     const QString kind = item["kind"].toString();
     if (kind == "text") {
-        return answer.number ? bad(place + ": expected a text")
+        return answer.number ? badFact(place + ": expected a text")
                              : checkText(place, answer.text, kMaximumAnswerCharacters);
     }
     if (!answer.number || !answer.text.empty()) {
-        return bad(place + ": expected a number");
+        return badFact(place + ": expected a number");
     }
     if (kind == "number") {
         return checkNumber(place, *answer.number, item["lowest"].toDouble(), item["highest"].toDouble(),

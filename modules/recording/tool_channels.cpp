@@ -55,7 +55,7 @@ void addWrench(std::vector<Channel>& out, std::uint8_t tool, const std::string& 
     }
 }
 
-void addTool(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& info) {
+void addToolChannels(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& info) {
     for (std::size_t i = 0; i < info.axes.size(); ++i) {
         Channel c = lossless(tool, "axis." + info.axes[i].id, info.axes[i].unit, info.axes[i].resolution);
         c.frame = "D";
@@ -119,7 +119,7 @@ core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> 
                                                              std::to_string(tools[t].axes.size()) +
                                                              " axes, expected 1.." +
                                                              std::to_string(core::kMaxCoordinates));
-        addTool(channels, static_cast<std::uint8_t>(t), tools[t]);
+        addToolChannels(channels, static_cast<std::uint8_t>(t), tools[t]);
     }
     CHIRON_TRY(addScene(channels, scene));
     return fromChannels(std::move(channels));

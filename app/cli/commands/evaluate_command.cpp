@@ -15,15 +15,15 @@ namespace chiron::cli {
 
 namespace {
 
-QString text(std::string_view words) {
+QString fromView(std::string_view words) {
     return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
 }
 
 QJsonArray columnsJson(std::span<const core::LawColumn> columns) {
     QJsonArray array;
     for (const core::LawColumn& column : columns)
-        array.append(QJsonObject{{QStringLiteral("name"), text(column.name)},
-                                 {QStringLiteral("unit"), text(column.unit)}});
+        array.append(QJsonObject{{QStringLiteral("name"), fromView(column.name)},
+                                 {QStringLiteral("unit"), fromView(column.unit)}});
     return array;
 }
 
@@ -35,27 +35,27 @@ CommandOutput listLaws() {
         TextTable table({QStringLiteral("kind"), QStringLiteral("name"), QStringLiteral("unit"),
                          QStringLiteral(">default"), QStringLiteral(">from"), QStringLiteral(">to")});
         for (const core::LawParameter& parameter : law->parameters) {
-            parameters.append(QJsonObject{{QStringLiteral("name"), text(parameter.name)},
-                                          {QStringLiteral("unit"), text(parameter.unit)},
+            parameters.append(QJsonObject{{QStringLiteral("name"), fromView(parameter.name)},
+                                          {QStringLiteral("unit"), fromView(parameter.unit)},
                                           {QStringLiteral("default"), parameter.defaultValue},
                                           {QStringLiteral("minimum"), parameter.minimum},
                                           {QStringLiteral("maximum"), parameter.maximum}});
-            table.add({QStringLiteral("parameter"), text(parameter.name), text(parameter.unit),
+            table.add({QStringLiteral("parameter"), fromView(parameter.name), fromView(parameter.unit),
                        shortNumber(parameter.defaultValue), shortNumber(parameter.minimum),
                        shortNumber(parameter.maximum)});
         }
         for (const core::LawColumn& column : law->inputs)
-            table.add({QStringLiteral("input"), text(column.name), text(column.unit)});
+            table.add({QStringLiteral("input"), fromView(column.name), fromView(column.unit)});
         for (const core::LawColumn& column : law->outputs)
-            table.add({QStringLiteral("output"), text(column.name), text(column.unit)});
-        json.append(QJsonObject{{QStringLiteral("id"), text(law->id)},
-                                {QStringLiteral("title"), text(law->title)},
-                                {QStringLiteral("source"), text(law->source)},
+            table.add({QStringLiteral("output"), fromView(column.name), fromView(column.unit)});
+        json.append(QJsonObject{{QStringLiteral("id"), fromView(law->id)},
+                                {QStringLiteral("title"), fromView(law->title)},
+                                {QStringLiteral("source"), fromView(law->source)},
                                 {QStringLiteral("parameters"), parameters},
                                 {QStringLiteral("inputs"), columnsJson(law->inputs)},
                                 {QStringLiteral("outputs"), columnsJson(law->outputs)}});
         words += QStringLiteral("%1: %2 (%3)\n%4\n")
-                     .arg(text(law->id), text(law->title), text(law->source), table.toText());
+                     .arg(fromView(law->id), fromView(law->title), fromView(law->source), table.toText());
     }
     return {QJsonDocument(json), words, 0};
 }
@@ -85,7 +85,7 @@ CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in,
         csv += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
         rows.append(row);
     }
-    const QJsonObject json{{QStringLiteral("model"), text(law.id)},
+    const QJsonObject json{{QStringLiteral("model"), fromView(law.id)},
                            {QStringLiteral("columns"), columns},
                            {QStringLiteral("rows"), rows}};
     return {QJsonDocument(json), csv, 0};

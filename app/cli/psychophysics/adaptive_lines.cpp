@@ -46,7 +46,7 @@ QJsonValue finite(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
 }
 
-QJsonObject estimateJson(const ProcedureEstimate& estimate) {
+QJsonObject procedureEstimateJson(const ProcedureEstimate& estimate) {
     QJsonObject json{{"known", estimate.known}, {"method", QString::fromStdString(estimate.method)}};
     for (const NamedEstimate& parameter : estimate.parameters) {
         const QString name = QString::fromStdString(parameter.name);
@@ -136,7 +136,7 @@ QJsonObject adaptiveState(const Procedure& procedure, const QStringList& dimensi
         if (choice.candidate >= 0)
             json.insert("candidate", choice.candidate);
     }
-    json.insert("estimate", estimateJson(procedure.estimate()));
+    json.insert("estimate", procedureEstimateJson(procedure.estimate()));
     return json;
 }
 

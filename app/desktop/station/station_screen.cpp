@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kSelfTest_ms = 10'000;
 
-void clear(QVBoxLayout& column) {
+void clearColumn(QVBoxLayout& column) {
     while (QLayoutItem* item = column.takeAt(0)) {
         delete item->widget();
         delete item;
@@ -256,7 +256,7 @@ void StationScreen::showSelfTest(const session::SelfTestResult& result) {
     m_timer->stop();
     m_strip->stop();
     m_token.reset();
-    clear(*m_testBox);
+    clearColumn(*m_testBox);
     if (result.cancelled) {
         m_testBox->addWidget(
             kit::label(theme, tr("The self-test was stopped before it finished."), TextStyle::body, "muted"));

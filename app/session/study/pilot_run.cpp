@@ -31,9 +31,9 @@ const std::string& consentIn(const psychophysics::StudyDesign& design, const std
     return found != design.consent.end() ? found->second : design.consent.at("en");
 }
 
-core::Result<PilotRun> begin(database::Connection& connection, const database::Actor& actor,
-                             const psychophysics::StudyDesign& draft, const std::string& who,
-                             const std::string& language) {
+core::Result<PilotRun> beginPilotRun(database::Connection& connection, const database::Actor& actor,
+                                     const psychophysics::StudyDesign& draft, const std::string& who,
+                                     const std::string& language) {
     database::StudyReader reader(connection, actor);
     database::StudyRepository studies(connection, actor);
     const auto key = freeKey(reader, draft.id);
@@ -68,7 +68,7 @@ core::Result<PilotRun> beginPilot(database::Database& database, const database::
     // Errors of the draft are reported for the draft, not for its copy.
     CHIRON_TRY(catalogue::readStudy(catalogue::studyJson(draft), draft.id));
     return database.write([&](database::WriteContext& writing) {
-        return begin(writing.connection(), actor, draft, who, language);
+        return beginPilotRun(writing.connection(), actor, draft, who, language);
     });
 }
 

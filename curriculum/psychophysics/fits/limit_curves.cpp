@@ -14,7 +14,7 @@ struct Counts {
     double wrong() const noexcept { return of - right; }
 };
 
-double share(double part, double whole, double most) noexcept {
+double cappedShare(double part, double whole, double most) noexcept {
     return whole > 0.0 ? std::clamp(part / whole, 0.0, most) : 0.0;
 }
 
@@ -22,15 +22,15 @@ double share(double part, double whole, double most) noexcept {
 void chooseEnds(StepCurve& step, const Counts& below, const Counts& above,
                 const FreeParameters& free) noexcept {
     if (free.equal) {
-        step.lapse = share(below.right + above.wrong(), below.of + above.of, free.largestLapse);
+        step.lapse = cappedShare(below.right + above.wrong(), below.of + above.of, free.largestLapse);
         step.guess = step.lapse;
         return;
     }
     if (free.lapse) {
-        step.lapse = share(above.wrong(), above.of, free.largestLapse);
+        step.lapse = cappedShare(above.wrong(), above.of, free.largestLapse);
     }
     if (free.guess) {
-        step.guess = share(below.right, below.of, free.largestGuess);
+        step.guess = cappedShare(below.right, below.of, free.largestGuess);
     }
 }
 

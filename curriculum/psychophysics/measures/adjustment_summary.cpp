@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFewSettings = 5;
 
-void warn(AdjustmentSummary& result, std::size_t given) {
+void warnOfAdjustment(AdjustmentSummary& result, std::size_t given) {
     const int leftOut = static_cast<int>(given) - result.settings;
     if (leftOut > 0)
         result.warnings.push_back({WarningKind::leftOutSettings, leftOut});
@@ -52,7 +52,7 @@ AdjustmentSummary summariseSettings(double reference, const std::vector<double>&
         result.sdHigh = moments.sd * std::sqrt(degrees / chiSquareQuantile(0.025, degrees));
         result.jndLog10 = core::normalQuantile(0.75) * moments.sd;
     }
-    warn(result, settings.size());
+    warnOfAdjustment(result, settings.size());
     return result;
 }
 

@@ -25,7 +25,7 @@ bool isPair(const QuestionnaireItem& item) {
     return item.kind == QuestionnaireItem::Kind::choice && item.id.starts_with("pair_");
 }
 
-double numberOf(const QuestionnaireReply& reply, const QuestionnaireItem& item) {
+double answerNumber(const QuestionnaireReply& reply, const QuestionnaireItem& item) {
     const auto found = reply.numbers.find(item.id);
     return found == reply.numbers.end() ? kNone : found->second;
 }
@@ -51,7 +51,7 @@ std::pair<std::string, std::string> pairOf(const QuestionnaireItem& pair,
 double sus(const Items& items, const QuestionnaireReply& reply) {
     double sum = 0.0;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const double answer = numberOf(reply, items[i]);
+        const double answer = answerNumber(reply, items[i]);
         sum += i % 2 == 0 ? answer - 1.0 : 5.0 - answer;
     }
     return 2.5 * sum;
@@ -65,14 +65,14 @@ std::vector<InstrumentScore> workload(const Items& items, const QuestionnaireRep
         if (!weighted || !isPair(item))
             continue;
         const auto [first, second] = pairOf(item, scales);
-        const double answer = numberOf(reply, item);
+        const double answer = answerNumber(reply, item);
         chosen += std::isfinite(answer) ? 1.0 : kNone; // an unanswered pair makes the weights undefined
         weights[answer < 0.5 ? first : second] += 1.0;
     }
     std::vector<InstrumentScore> out{{"workload", 0.0}};
     double sum = 0.0;
     for (const QuestionnaireItem* scale : scales) {
-        const double rating = kTlxStep * (numberOf(reply, *scale) - 1.0);
+        const double rating = kTlxStep * (answerNumber(reply, *scale) - 1.0);
         sum += (weighted ? weights[scale->id] : 1.0) * rating;
         out.push_back({scale->id, rating});
     }
@@ -85,7 +85,7 @@ double laterality(const Items& items, const QuestionnaireReply& reply) {
     constexpr std::array<double, kHands> kRight{0, 0, 1, 1, 2};
     double left = 0.0, right = 0.0;
     for (const QuestionnaireItem& item : items) {
-        const double answer = numberOf(reply, item);
+        const double answer = answerNumber(reply, item);
         if (!std::isfinite(answer) && !item.required)
             continue; // not everybody does each activity: the published form allows such a line to be left
                       // out

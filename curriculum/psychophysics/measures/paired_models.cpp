@@ -41,7 +41,7 @@ void takeWorths(WorthEstimate& result, const Maximum& best, std::size_t objects)
     result.standardError[objects - 1] = std::sqrt(std::max(0.0, all));
 }
 
-bool isUsable(const PairCount& pair, int objects) {
+bool isUsablePair(const PairCount& pair, int objects) {
     const auto isCount = [](double n) { return n >= 0.0 && std::isfinite(n); };
     return pair.first >= 0 && pair.first < objects && pair.second >= 0 && pair.second < objects &&
            pair.first != pair.second && isCount(pair.wins) && isCount(pair.losses) && isCount(pair.ties);
@@ -79,10 +79,11 @@ double raoKupper(const std::vector<PairCount>& pairs, const std::vector<double>&
 }
 
 /// Returns the usable pairs; empty, with a warning, if they cannot be fitted.
-std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std::vector<PairCount>& given) {
+std::vector<PairCount> preparePairs(TiedWorthEstimate& result, int objects,
+                                    const std::vector<PairCount>& given) {
     std::vector<PairCount> pairs;
     std::copy_if(given.begin(), given.end(), std::back_inserter(pairs),
-                 [&](const PairCount& p) { return isUsable(p, objects); });
+                 [&](const PairCount& p) { return isUsablePair(p, objects); });
     if (pairs.size() < given.size())
         result.warnings.push_back("left_out: " + std::to_string(given.size() - pairs.size()) +
                                   " pairs are not usable counts");
@@ -234,7 +235,7 @@ TiedWorthEstimate fitTiedPairs(TieModel model, int objects, const std::vector<Pa
     const std::size_t n = objects > 0 ? static_cast<std::size_t>(objects) : 0;
     result.logWorth.assign(n, std::numeric_limits<double>::quiet_NaN());
     result.standardError = result.logWorth;
-    const std::vector<PairCount> pairs = prepare(result, objects, given);
+    const std::vector<PairCount> pairs = preparePairs(result, objects, given);
     if (pairs.empty())
         return result;
     const auto likelihood = [&](const std::vector<double>& at) {

@@ -90,7 +90,7 @@ LikertSummary likertOf(const QuestionnaireItem& item, const Answers& answers) {
     return result;
 }
 
-NumberSummary numberOf(const QuestionnaireItem& item, const Answers& answers) {
+NumberSummary numberSummaryOf(const QuestionnaireItem& item, const Answers& answers) {
     NumberSummary result;
     result.item = item.id;
     result.answered = static_cast<int>(answers.value.size());
@@ -172,7 +172,7 @@ QuestionnaireSummary summariseQuestionnaire(const Questionnaire& questionnaire,
         else if (item.kind == QuestionnaireItem::Kind::likert)
             result.likert.push_back(likertOf(item, answersOf(item, replies)));
         else
-            result.numbers.push_back(numberOf(item, answersOf(item, replies)));
+            result.numbers.push_back(numberSummaryOf(item, answersOf(item, replies)));
     }
     for (const LikertSummary& item : result.likert) {
         const auto known = [&](const ConstructSummary& construct) {

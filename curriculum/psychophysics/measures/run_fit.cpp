@@ -81,7 +81,7 @@ void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers,
 }
 
 /// Returns D at the criterion for a given threshold and width, without lapses.
-double at(const FitResult& fit, CurveParameters parameters, double threshold, double criterion) {
+double thresholdOfFit(const FitResult& fit, CurveParameters parameters, double threshold, double criterion) {
     parameters.threshold = toScale(threshold, fit.scale);
     parameters.lapse = 0.0;
     return thresholdAt(fit, parameters, criterion);
@@ -150,9 +150,9 @@ void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers,
     const FitResult fit = fitMaximumLikelihood(data, freeCurveOptions(task, positive));
     if (!fit.fitted)
         return addWarnings(result, fit);
-    result.fitThreshold = at(fit, fit.best, fit.threshold, result.criterion);
-    result.fitThreshold95 = {at(fit, fit.best, fit.ci.threshold.low, result.criterion),
-                             at(fit, fit.best, fit.ci.threshold.high, result.criterion)};
+    result.fitThreshold = thresholdOfFit(fit, fit.best, fit.threshold, result.criterion);
+    result.fitThreshold95 = {thresholdOfFit(fit, fit.best, fit.ci.threshold.low, result.criterion),
+                             thresholdOfFit(fit, fit.best, fit.ci.threshold.high, result.criterion)};
     addWarnings(result, fit);
 }
 

@@ -29,7 +29,7 @@ struct AtRatio {
     double slope = 0.0;    ///< derivative of the deviance with respect to the ratio
 };
 
-AtRatio at(const Layout& layout, double ratio) {
+AtRatio atRatio(const Layout& layout, double ratio) {
     double weights = 0.0, weighted = 0.0, squaresOfWeights = 0.0, logs = 0.0;
     for (const Group& group : layout.groups) {
         const double weight = group.size / (1.0 + group.size * ratio);
@@ -57,22 +57,22 @@ AtRatio at(const Layout& layout, double ratio) {
 /// between its neighbours by the sign of the slope.
 double bestRatio(const Layout& layout) {
     constexpr double kFirst = -8.0, kLast = 12.0, kStep = 0.05; // log10
-    double best = 0.0, least = at(layout, 0.0).deviance, low = 0.0, high = std::pow(10.0, kFirst);
+    double best = 0.0, least = atRatio(layout, 0.0).deviance, low = 0.0, high = std::pow(10.0, kFirst);
     for (double place = kFirst; place <= kLast; place += kStep) {
         const double ratio = std::pow(10.0, place);
-        if (const double deviance = at(layout, ratio).deviance; deviance < least) {
+        if (const double deviance = atRatio(layout, ratio).deviance; deviance < least) {
             least = deviance;
             best = ratio;
             low = place > kFirst ? std::pow(10.0, place - kStep) : 0.0;
             high = std::pow(10.0, place + kStep);
         }
     }
-    if (best == 0.0 && !(at(layout, 0.0).slope < 0.0))
+    if (best == 0.0 && !(atRatio(layout, 0.0).slope < 0.0))
         return 0.0;
     constexpr int kHalvings = 200;
     for (int i = 0; i < kHalvings && low < high; ++i) {
         const double middle = 0.5 * (low + high);
-        (at(layout, middle).slope < 0.0 ? low : high) = middle;
+        (atRatio(layout, middle).slope < 0.0 ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -98,7 +98,7 @@ VarianceComponents varianceComponents(const std::vector<std::vector<double>>& gr
     if (layout.groups.empty())
         return result;
     const auto count = static_cast<double>(layout.groups.size());
-    result.mean = at(layout, 0.0).mean;
+    result.mean = atRatio(layout, 0.0).mean;
     if (!(layout.trials > count)) // one trial per group: the two variances cannot be separated
         return result;
     if (layout.groups.size() == 1) {
@@ -118,7 +118,7 @@ VarianceComponents varianceComponents(const std::vector<std::vector<double>>& gr
         return result;
     }
     const double ratio = bestRatio(layout);
-    const AtRatio best = at(layout, ratio);
+    const AtRatio best = atRatio(layout, ratio);
     result.mean = best.mean;
     result.within = best.squares / (layout.trials - 1.0);
     result.between = ratio * result.within;

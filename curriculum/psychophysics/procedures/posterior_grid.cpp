@@ -18,7 +18,7 @@ constexpr double kNegligible = 1e-17; ///< for a block, in full sums
 constexpr double kRoughlyNegligible = 1e-7;
 constexpr std::size_t kMostCells = 4'000'000;
 
-core::Result<void> check(const ParameterGrid& grid) {
+core::Result<void> checkGrid(const ParameterGrid& grid) {
     const auto bad = [&grid](const char* what) {
         return fail(ErrorCode::badInput, "parameters: " + grid.name + ": " + what);
     };
@@ -45,7 +45,7 @@ using Bars = std::vector<std::pair<double, double>>; ///< value and its probabil
 
 /// Returns the quantile for a cumulative share, with each value's probability spread evenly between the
 /// midpoints to its neighbours.
-double quantile(const Bars& bars, double share) {
+double barQuantile(const Bars& bars, double share) {
     double below = 0.0;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         const auto [value, p] = bars[i];
@@ -67,7 +67,7 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
     PosteriorGrid grid;
     grid.m_parameters = parameters;
     for (const ParameterGrid& parameter : parameters) {
-        CHIRON_TRY(check(parameter));
+        CHIRON_TRY(checkGrid(parameter));
         if (parameter.values.size() > kMostCells / grid.m_cells)
             return fail(ErrorCode::badInput,
                         "parameters: more than " + std::to_string(kMostCells) + " cells: expected fewer");
@@ -182,8 +182,8 @@ NamedEstimate PosteriorGrid::estimate(std::size_t k) const {
     return {m_parameters[k].name,
             mean,
             std::sqrt(variance),
-            quantile(bars, 0.025),
-            quantile(bars, 0.975),
+            barQuantile(bars, 0.025),
+            barQuantile(bars, 0.975),
             value(k, mode()),
             wide && bars.front().second >= least,
             wide && bars.back().second >= least};

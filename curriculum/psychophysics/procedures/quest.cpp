@@ -20,7 +20,7 @@ std::string digits(double value) {
     return text.str();
 }
 
-core::Result<void> check(const QuestSpec& spec) {
+core::Result<void> checkQuest(const QuestSpec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
     if (!std::isfinite(spec.priorMean))
         return bad("prior_mean: expected a finite number");
@@ -65,7 +65,7 @@ double optimalQuantileOrder(double low, double high) noexcept {
 }
 
 core::Result<std::unique_ptr<Procedure>> Quest::make(const QuestSpec& spec) {
-    CHIRON_TRY(check(spec));
+    CHIRON_TRY(checkQuest(spec));
     return std::make_unique<Quest>(spec);
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kMostTableEntries = 4'000'000;
 
 using Table = std::vector<std::vector<std::vector<double>>>;
 
-core::Result<void> check(const Rank3Spec& spec) {
+core::Result<void> checkRank3Spec(const Rank3Spec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
     if (spec.differences.empty() || !std::all_of(spec.differences.begin(), spec.differences.end(),
                                                  [](double d) { return std::isfinite(d) && d > 0.0; }))
@@ -121,7 +121,7 @@ struct Checked {
 };
 
 core::Result<Checked> checked(Rank3Spec spec) {
-    CHIRON_TRY(check(spec));
+    CHIRON_TRY(checkRank3Spec(spec));
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
     CHIRON_TRY(checkSize(spec));

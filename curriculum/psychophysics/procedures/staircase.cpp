@@ -23,7 +23,7 @@ bool allPositive(const std::vector<double>& sizes) {
     return std::all_of(sizes.begin(), sizes.end(), [](double s) { return s > 0.0 && s <= kLargest; });
 }
 
-core::Result<void> check(const StaircaseSpec& spec) {
+core::Result<void> checkStaircase(const StaircaseSpec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
     if (!(std::abs(spec.start) <= kLargest))
         return bad("start: expected a number within 1e100 of 0");
@@ -68,7 +68,7 @@ double staircaseTarget(int up, int down, double stepRatio) noexcept {
 }
 
 core::Result<std::unique_ptr<Procedure>> Staircase::make(const StaircaseSpec& spec) {
-    CHIRON_TRY(check(spec));
+    CHIRON_TRY(checkStaircase(spec));
     return std::make_unique<Staircase>(spec);
 }
 

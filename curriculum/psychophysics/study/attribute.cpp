@@ -23,18 +23,18 @@ constexpr std::array<Row, kAttributes> kRows{{
     {Attribute::apex, "apex", "m"},
 }};
 
-const Row& rowOf(Attribute attribute) noexcept {
+const Row& attributeRow(Attribute attribute) noexcept {
     return kRows[static_cast<std::size_t>(attribute)];
 }
 
 } // namespace
 
 std::string_view token(Attribute attribute) noexcept {
-    return rowOf(attribute).token;
+    return attributeRow(attribute).token;
 }
 
 std::string_view unitOf(Attribute attribute) noexcept {
-    return rowOf(attribute).unit;
+    return attributeRow(attribute).unit;
 }
 
 std::optional<Attribute> attributeFromToken(std::string_view word) noexcept {

@@ -10,7 +10,7 @@ namespace chiron::scene3d {
 namespace {
 
 /// The position in the picture; far outside if the point lies beside or behind the camera.
-core::Vec2 placeOf(const core::Vec3& way_T, double fieldOfView_rad) {
+core::Vec2 placeInView(const core::Vec3& way_T, double fieldOfView_rad) {
     const double ahead = -way_T.z();
     const double wide = std::tan(0.5 * fieldOfView_rad);
     const core::Vec2 place =
@@ -38,8 +38,8 @@ void addGuidance(ScopeMarks& marks, const simulation::EndoscopeCues& cues, const
         return;
     marks.guided = true;
     const double field_rad = drawing.parameters().endoscope.fieldOfView_rad;
-    const core::Vec2 place = placeOf(way, field_rad);
-    const core::Vec2 target = placeOf(seenAligned(way, drawing, tool), field_rad);
+    const core::Vec2 place = placeInView(way, field_rad);
+    const core::Vec2 target = placeInView(seenAligned(way, drawing, tool), field_rad);
     marks.beyond = place.norm() > 1.0;
     marks.aligned = (place - target).norm() < ScopeMarks::kAligned;
     marks.lumen = withinRim(place);
