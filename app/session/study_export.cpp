@@ -43,10 +43,6 @@ QByteArray descriptionJson(const StudyExportData& data, const std::vector<Export
                                              {"description", column.description},
                                              {"unitText", column.unit}});
             }
-    const auto english = [](const psychophysics::StudyText& words) {
-        const auto found = words.find("en");
-        return found == words.end() ? QString() : QString::fromStdString(found->second);
-    };
     return QJsonDocument(QJsonObject{{"@context", "https://schema.org/"},
                                      {"@type", "Dataset"},
                                      {"name", english(data.design->title)},

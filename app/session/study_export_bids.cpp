@@ -18,11 +18,6 @@ namespace {
 
 using database::StudyTrial;
 
-QString english(const psychophysics::StudyText& words) {
-    const auto found = words.find("en");
-    return found == words.end() ? QString() : QString::fromStdString(found->second);
-}
-
 QString taskWords(psychophysics::Task task) {
     const std::string_view word = psychophysics::token(task);
     return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));

@@ -61,6 +61,11 @@ core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData&
 
 } // namespace
 
+QString english(const psychophysics::StudyText& words) {
+    const auto found = words.find("en");
+    return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
 std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<StudyTrial>& trials) {
     std::vector<psychophysics::ScoredTrial> scored;
     for (const StudyTrial& trial : trials) {

@@ -53,6 +53,9 @@ struct StudyExportData {
     QString sha256() const { return QString::fromStdString(record.summary.sha256); }
 };
 
+/// The English words of a text of the design, which is what an export speaks; empty if it has none.
+QString english(const psychophysics::StudyText& words);
+
 /// The trials that the analysis uses: scored and answered, without practice.
 std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<database::StudyTrial>& trials);
 

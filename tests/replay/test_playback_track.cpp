@@ -214,8 +214,8 @@ void TestPlaybackTrack::trialsAndMarks() {
         QCOMPARE(trial.marked, truth.marked);
         QCOMPARE(trial.endedInContact, truth.markInContact);
         QVERIFY((trial.p_WEnd - truth.p_WMark_m).norm() < 2e-9);
-        QCOMPARE(trial.object->p_WObject.x(), truth.apex->x_m);
-        QCOMPARE(trial.object->radius_m, truth.apex->radius_m);
+        QCOMPARE(trial.object->p_WObject.x(), truth.target->x_m);
+        QCOMPARE(trial.object->radius_m, truth.target->radius_m);
         QVERIFY(std::abs(trial.end_s - truth.tools[0].t_s.back()) < 1e-9);
         QVERIFY(std::abs(trial.start_s - truth.tools[0].t_s.front()) < 1e-9);
     }
