@@ -49,7 +49,7 @@ core::Vec2 topOf(const catalogue::ExerciseLevel& level, int trial) {
     scoring::TrialTrace truth;
     truth.trial = trial;
     (*session::exerciseKind(level.exercise))->addTruth(level, kSeed, truth);
-    return {truth.apex->x_m, truth.apex->y_m};
+    return {truth.target->x_m, truth.target->y_m};
 }
 
 /// What is said after this tick of a trial; the state that comes with it is of the time between trials.
