@@ -20,26 +20,17 @@ Problem unknownName(const QString& path, const QString& name, const std::map<QSt
 
 } // namespace
 
-/// Describes one type of content that parameters can name.
-struct NamedContent::Kind {
-    const char* key;           ///< with which parameters name it; also the name of its file's schema
-    const char* folder;        ///< in the content folder
-    const char* member;        ///< member of its file that holds the numbers
-    const char* contentSchema; ///< schema of those numbers
-};
-
 core::Result<NamedContent> NamedContent::read(const QString& directory,
                                               const std::vector<std::string>& languages) {
     NamedContent content;
-    for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
-                             Kind{"mesh", "meshes", "shape", "mesh_source"},
-                             Kind{"tissue", "tissues", "properties", "tissue_properties"}})
+    for (const NamedKind& kind : kNamedKinds)
         CHIRON_TRY(content.readFolder(directory, languages, kind));
     return content;
 }
 
 core::Result<void> NamedContent::readFolder(const QString& directory,
-                                            const std::vector<std::string>& languages, const Kind& kind) {
+                                            const std::vector<std::string>& languages,
+                                            const NamedKind& kind) {
     const QDir folder(directory + '/' + QLatin1String(kind.folder));
     m_named[QLatin1String(kind.key)] = {};
     const QFileInfoList files = folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name);
@@ -57,7 +48,7 @@ core::Result<void> NamedContent::readFolder(const QString& directory,
     return texts->finish();
 }
 
-core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file,
+core::Result<void> NamedContent::readNamed(const QString& path, const NamedKind& kind, const Schema& file,
                                            const Schema& content, ContentTexts& texts) {
     const auto json = JsonFile::read(path, JsonFile::kMeshMebibytes);
     CHIRON_TRY(json);
@@ -84,11 +75,11 @@ core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind
     if (problems.empty()) {
         const ObjectReader text(root, QStringLiteral("$"), problems);
         const ObjectReader typed(full, at, problems);
-        if (key == QLatin1String("object")) {
+        if (key == QLatin1String(kNamedObject.key)) {
             m_objects.push_back(
                 {text.text("id"), text.translated("title"), text.text("source"), readObject(typed)});
             checkObject(m_objects.back().attributes, at, problems);
-        } else if (key == QLatin1String("mesh")) {
+        } else if (key == QLatin1String(kNamedMesh.key)) {
             m_meshes.push_back(
                 {text.text("id"), text.translated("title"), text.text("source"), readMesh(typed)});
             checkMesh(m_meshes.back().mesh, at, problems);

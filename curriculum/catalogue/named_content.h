@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/content_texts.h"
+#include "catalogue/named_kinds.h"
 #include "catalogue/object_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/tissue_content.h"
@@ -36,12 +37,11 @@ public:
     const std::vector<MissingText>& missing() const { return m_missing; }
 
 private:
-    struct Kind; ///< describes objects, meshes or tissues: folder, schemas, keys
     using Named = std::map<QString, QJsonObject>;
 
     core::Result<void> readFolder(const QString& directory, const std::vector<std::string>& languages,
-                                  const Kind& kind);
-    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file,
+                                  const NamedKind& kind);
+    core::Result<void> readNamed(const QString& path, const NamedKind& kind, const Schema& file,
                                  const Schema& content, ContentTexts& texts);
 
     std::map<QString, Named> m_named; ///< "object", "mesh", "tissue" → name → its numbers as given

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/procedure_schema.h"
 
+#include "catalogue/schema_nodes.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 #include <algorithm>
@@ -25,95 +23,46 @@ QString words(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// A JSON value whose keys keep the order in which they were added, which is the order in which people read
-/// them.
-struct Node {
-    QString scalar{}; ///< as written; empty for an object or a list
-    std::vector<std::pair<QString, Node>> members{};
-    std::vector<Node> items{};
-
-    static Node of(const QString& text) {
-        const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
-        return {QString::fromUtf8(list.mid(1, list.size() - 2))};
-    }
-    static Node of(double number) { return {QString::number(number, 'g', 16)}; }
-    void add(const char* key, Node value) {
-        members.emplace_back(QString::fromLatin1(key), std::move(value));
-    }
-};
-
-QString written(const Node& node, int depth = 0) {
-    if (!node.scalar.isEmpty())
-        return node.scalar;
-    constexpr int kIndent = 4;
-    const QString inside(kIndent * (depth + 1), QLatin1Char(' '));
-    QStringList lines;
-    for (const auto& [key, value] : node.members)
-        lines << inside + Node::of(key).scalar + ": " + written(value, depth + 1);
-    for (const Node& item : node.items)
-        lines << inside + written(item, depth + 1);
-    const QString brackets = node.items.empty() ? QStringLiteral("{}") : QStringLiteral("[]");
-    return brackets.left(1) + '\n' + lines.join(QStringLiteral(",\n")) + '\n' +
-           QString(kIndent * depth, QLatin1Char(' ')) + brackets.right(1);
-}
-
-Node numberNode(const char* type, const QString& unit, double minimum, double maximum,
-                const QString& description) {
-    Node node;
-    node.add("type", Node::of(QString::fromLatin1(type)));
-    node.add("unit", Node::of(unit));
-    node.add("minimum", Node::of(minimum));
-    node.add("maximum", Node::of(maximum));
-    node.add("description", Node::of(description));
+JsonNode described(JsonNode node, const QString& description) {
+    node.add("description", JsonNode::text(description));
     return node;
 }
 
-Node arrayNode(int fewest, int most, const QString& description, Node items) {
-    Node node;
-    node.add("type", Node::of(QStringLiteral("array")));
-    node.add("minItems", Node::of(fewest));
-    node.add("maxItems", Node::of(most));
-    node.add("description", Node::of(description));
+JsonNode numberNode(const char* type, const QString& unit, double minimum, double maximum,
+                    const QString& description) {
+    return described(numberType(type, unit, minimum, maximum), description);
+}
+
+JsonNode arrayNode(int fewest, int most, const QString& description, JsonNode items) {
+    JsonNode node = described(arrayType(fewest, most), description);
     node.add("items", std::move(items));
     return node;
 }
 
-Node textNode(const QString& description) {
-    Node node;
-    node.add("type", Node::of(QStringLiteral("string")));
-    node.add("description", Node::of(description));
-    return node;
+JsonNode textNode(const QString& description) {
+    JsonNode node;
+    node.add("type", JsonNode::text(QStringLiteral("string")));
+    return described(std::move(node), description);
 }
 
-Node yesNoNode(const QString& description) {
-    Node node;
-    node.add("type", Node::of(QStringLiteral("boolean")));
-    node.add("description", Node::of(description));
-    return node;
-}
-
-Node objectNode(const QString& description, Node properties, const char* required = nullptr) {
-    Node node;
-    node.add("type", Node::of(QStringLiteral("object")));
-    node.add("description", Node::of(description));
-    node.add("properties", std::move(properties));
-    if (required)
-        node.add("required", Node{{}, {}, {Node::of(QString::fromLatin1(required))}});
-    return node;
+JsonNode yesNoNode(const QString& description) {
+    JsonNode node;
+    node.add("type", JsonNode::text(QStringLiteral("boolean")));
+    return described(std::move(node), description);
 }
 
 constexpr int kMostValues = 65536;
 
 /// Describes a named grid of a dimension of the stimulus or of a parameter.
-Node gridNode(const QString& description, const QString& unit, bool withPrior) {
+JsonNode gridNode(const QString& description, const QString& unit, bool withPrior) {
     constexpr double kSmallestStep = 1e-9;
-    Node name = textNode(QStringLiteral("Of the dimension or parameter, as the function calls it."));
-    name.add("minLength", Node::of(1));
-    name.add("maxLength", Node::of(64));
+    JsonNode name = textNode(QStringLiteral("Of the dimension or parameter, as the function calls it."));
+    name.add("minLength", JsonNode::number(1));
+    name.add("maxLength", JsonNode::number(64));
     const auto number = [&unit](double minimum, const char* says) {
         return numberNode("number", unit, minimum, kUnbounded, QString::fromLatin1(says));
     };
-    Node grid;
+    JsonNode grid;
     grid.add("name", std::move(name));
     grid.add("values",
              arrayNode(1, kMostValues, QStringLiteral("The values themselves; or from, to and step."),
@@ -132,7 +81,7 @@ Node gridNode(const QString& description, const QString& unit, bool withPrior) {
                  yesNoNode(QStringLiteral(
                      "Left out of the entropy that trials are chosen by (Prins 2013). Default false.")));
     }
-    return objectNode(description, std::move(grid), "name");
+    return objectNode(description, std::move(grid), {QStringLiteral("name")});
 }
 
 /// Describes the values of this type with the range of the row.
@@ -140,42 +89,45 @@ struct NodeOf {
     Parameter row;
     QString description;
 
-    Node operator()(double) const {
+    JsonNode operator()(double) const {
         return numberNode("number", words(row.unit), row.minimum, row.maximum, description);
     }
-    Node operator()(const std::optional<double>&) const { return (*this)(0.0); }
-    Node operator()(int) const {
+    JsonNode operator()(const std::optional<double>&) const { return (*this)(0.0); }
+    JsonNode operator()(int) const {
         return numberNode("integer", words(row.unit), row.minimum, row.maximum, description);
     }
-    Node operator()(std::uint64_t) const { return (*this)(0); }
-    Node operator()(bool) const { return yesNoNode(description); }
-    Node operator()(const std::string&) const {
-        Node node = textNode(description);
-        Node allowed;
+    JsonNode operator()(std::uint64_t) const { return (*this)(0); }
+    JsonNode operator()(bool) const { return yesNoNode(description); }
+    JsonNode operator()(const std::string&) const {
+        JsonNode node = textNode(description);
+        QStringList allowed;
         for (const ParameterWord& word : row.words)
-            allowed.items.push_back(Node::of(words(word.word)));
-        node.add("enum", std::move(allowed));
+            allowed << words(word.word);
+        node.add("enum", JsonNode::texts(allowed));
         return node;
     }
-    Node operator()(const std::vector<double>&) const {
+    JsonNode operator()(const std::vector<double>&) const {
         return listOf(numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item)));
     }
-    Node operator()(const StimulusGrids&) const {
+    JsonNode operator()(const StimulusGrids&) const {
         return listOf(gridNode(words(row.item), words(row.unit), false));
     }
-    Node operator()(const std::vector<ParameterGrid>&) const {
+    JsonNode operator()(const std::vector<ParameterGrid>&) const {
         return listOf(gridNode(words(row.item), words(row.unit), true));
     }
-    Node operator()(const OutcomeProbabilities&) const {
+    JsonNode operator()(const OutcomeProbabilities&) const {
         constexpr int kMostCells = 1000000;
-        const Node number = numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item));
+        const JsonNode number =
+            numberNode("number", words(row.unit), row.minimum, row.maximum, words(row.item));
         return listOf(
             arrayNode(1, kMostValues, QStringLiteral("Of one outcome."),
                       arrayNode(1, kMostCells, QStringLiteral("Of one stimulus, a number a cell."), number)));
     }
 
 private:
-    Node listOf(Node items) const { return arrayNode(row.fewest, row.most, description, std::move(items)); }
+    JsonNode listOf(JsonNode items) const {
+        return arrayNode(row.fewest, row.most, description, std::move(items));
+    }
 };
 
 /// Writes a default as the schema shows it; empty means that the schema does not mention it.
@@ -282,7 +234,7 @@ Keys keysIn(std::string_view object) {
     return keys;
 }
 
-Node nodeOf(const std::vector<Known>& key, const QString& description) {
+JsonNode nodeOf(const std::vector<Known>& key, const QString& description) {
     return std::visit(NodeOf{widest(key), description}, key.front().row->get(key.front().kind->defaults()));
 }
 
@@ -302,11 +254,11 @@ QString defaultRules(const Keys& keys) {
     return kinds.join(QStringLiteral("; "));
 }
 
-Node stopNode() {
+JsonNode stopNode() {
     const Keys keys = keysIn("stop");
-    Node properties;
+    JsonNode properties;
     for (const auto& key : keys)
-        properties.members.emplace_back(words(key.front().row->key), nodeOf(key, ruleOf(key)));
+        properties.add(words(key.front().row->key), nodeOf(key, ruleOf(key)));
     return objectNode("When the run ends: whichever of trials, reversals, sd comes first; 0 does not end it. "
                       "At least one that the kind knows is needed; rules that are "
                       "given replace the default ones whole. Default: " +
@@ -314,40 +266,34 @@ Node stopNode() {
                       std::move(properties));
 }
 
-Node kindNode() {
-    QStringList kinds;
-    Node allowed;
+JsonNode kindNode() {
+    QStringList kinds, allowed;
     for (const ProcedureKind* kind : procedureKinds()) {
         kinds << words(kind->id()) + " (" + words(kind->words().title) + ")";
-        allowed.items.push_back(Node::of(words(kind->id())));
+        allowed << words(kind->id());
     }
-    Node node = textNode("Which procedure: " + kinds.join(QStringLiteral(", ")) +
-                         ". The keys below say which kinds know them.");
-    node.add("enum", std::move(allowed));
+    JsonNode node = textNode("Which procedure: " + kinds.join(QStringLiteral(", ")) +
+                             ". The keys below say which kinds know them.");
+    node.add("enum", JsonNode::texts(allowed));
     return node;
 }
 
 } // namespace
 
 QByteArray procedureSchema() {
-    Node properties;
+    JsonNode properties;
     properties.add("kind", kindNode());
     for (const auto& key : keysIn({}))
-        properties.members.emplace_back(words(key.front().row->key), nodeOf(key, descriptionOf(key)));
+        properties.add(words(key.front().row->key), nodeOf(key, descriptionOf(key)));
     properties.add("stop", stopNode());
-    Node schema;
-    schema.add("$schema", Node::of(QStringLiteral("https://json-schema.org/draft/2020-12/schema")));
-    schema.add("title", Node::of(QStringLiteral("Procedure")));
-    schema.add("description", Node::of(QStringLiteral(
-                                  "How the stimuli of a run are chosen. x stands for the unit of the "
-                                  "procedure's stimuli: in a study, D (log10 of a ratio) "
-                                  "or log10 D. Outcome 1 is right (yes), 0 wrong (no); of rank3_quest_plus "
-                                  "the six orders, 0 all correct. This file is made "
-                                  "of the rows of the procedures (curriculum/psychophysics/procedures).")));
-    schema.add("type", Node::of(QStringLiteral("object")));
-    schema.add("properties", std::move(properties));
-    schema.add("required", Node{{}, {}, {Node::of(QStringLiteral("kind"))}});
-    return written(schema).toUtf8() + '\n';
+    return schemaFile(
+        QStringLiteral("Procedure"),
+        QStringLiteral("How the stimuli of a run are chosen. x stands for the unit of the "
+                       "procedure's stimuli: in a study, D (log10 of a ratio) "
+                       "or log10 D. Outcome 1 is right (yes), 0 wrong (no); of rank3_quest_plus "
+                       "the six orders, 0 all correct. This file is made "
+                       "of the rows of the procedures (curriculum/psychophysics/procedures)."),
+        std::move(properties), {QStringLiteral("kind")}, JsonLayout::itemPerLine);
 }
 
 } // namespace chiron::catalogue
