@@ -278,7 +278,8 @@ void TestExerciseFaces::anObjectThatCameOffIsNoTissue() {
                                           : QStringLiteral("object came off the tool")),
                      qPrintable(said));
         if (!tissue)
-            QCOMPARE(session_report::markText(mark, level.exercise, QLocale::c()),
+            QCOMPARE(session_report::markText(mark, level.exercise, QLocale::c())
+                         .replace(QChar(QChar::Nbsp), QLatin1Char(' ')),
                      QStringLiteral("The object came off the tool at 12.0 N"));
     }
     QVERIFY(session::yieldWords("knitting") == session::kTissueGaveWay);
