@@ -21,6 +21,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStyle>
 #include <QTabWidget>
 #include <QWheelEvent>
 #include <algorithm>
@@ -384,7 +385,7 @@ void TestPlayback::textsOfEventsAreNeverShortened() {
     list.show();
     const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
     std::set<int> heights;
-    for (int width = 150; width < 480; width += 2) {
+    for (int width = 150; width < 480; ++width) {
         list.resize(width, 300);
         list.doItemsLayout();
         const QRect at = list.visualItemRect(list.item(0));
@@ -406,19 +407,19 @@ void TestPlayback::theTimeGivesWayFirst() {
     clock.setDuration(10.0);
     desktop::TransportBar bar(m_site->context.theme(), QLocale::c(), clock, {{trial}, false, QLocale::c()});
     const auto* speed = bar.findChild<QComboBox*>(QStringLiteral("playback.speed"));
-    const auto* time = bar.findChild<QLabel*>(QStringLiteral("playback.time"));
-    const auto* begin = bar.findChild<QPushButton*>(QStringLiteral("playback.begin"));
+    const auto* moment = bar.findChild<QLabel*>(QStringLiteral("playback.time"));
+    const auto* first = bar.findChild<QPushButton*>(QStringLiteral("playback.begin"));
     const auto below = [&](int width) {
         bar.resize(width, 200);
         bar.grab(); // lays it out
-        return time->y() > speed->geometry().bottom();
+        return moment->y() > speed->geometry().bottom();
     };
     QVERIFY(!below(2000));
-    const int all = time->geometry().right() + 1;
+    const int all = moment->geometry().right() + 1;
     QVERIFY(below(all - 1));
-    QVERIFY(speed->y() < begin->geometry().bottom()); // in the first line
+    QVERIFY(speed->y() < first->geometry().bottom()); // in the first line
     clock.seek(5.0);                                  // its text is shorter now
-    QVERIFY(time->sizeHint().width() < all);
+    QVERIFY(moment->sizeHint().width() < all);
     QVERIFY(below(all - 1));
 }
 
