@@ -379,6 +379,7 @@ void TestPlayback::marksJump() {
 void TestPlayback::textsOfEventsAreNeverShortened() {
     const desktop::Theme& theme = m_site->context.theme();
     QListWidget list;
+    list.setStyleSheet(theme.styleSheet());
     desktop::wrapItems(list, theme);
     const QString text = QStringLiteral("Trial 1, 0:04.2  Miss: the wrong place was marked");
     list.addItem(text);
