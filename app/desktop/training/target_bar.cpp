@@ -60,8 +60,8 @@ int TargetBar::place() const {
     return m_value < m_low ? -1 : m_value > m_high ? 1 : 0;
 }
 
-QString TargetBar::placeText(int place) const {
-    switch (place) {
+QString TargetBar::placeText(int at) const {
+    switch (at) {
     case -1:
         return tr("below the band");
     case 0:
@@ -79,8 +79,8 @@ QString TargetBar::words() const {
     return wordsAt(m_value, place());
 }
 
-QString TargetBar::wordsAt(double value, int place) const {
-    const QString where = placeText(place);
+QString TargetBar::wordsAt(double value, int at) const {
+    const QString where = placeText(at);
     if (!m_numbers)
         return where;
     const QString number = m_locale.toString(value, 'f', m_quantity.decimals);
@@ -91,8 +91,8 @@ QString TargetBar::wordsAt(double value, int place) const {
 void TargetBar::fit() {
     QStringList said{wordsAt(m_quantity.end, 3)};
     if (m_high > 0.0)
-        for (const int place : {-1, 0, 1})
-            said << wordsAt(m_quantity.end, place);
+        for (const int at : {-1, 0, 1})
+            said << wordsAt(m_quantity.end, at);
     if (m_limit > 0.0)
         said << wordsAt(m_quantity.end, 2);
     if (m_head.fit(width(), said))

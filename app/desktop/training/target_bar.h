@@ -38,8 +38,8 @@ protected:
 
 private:
     int place() const; ///< -1 below, 0 in, 1 above the band; 2 over the limit; 3 no target
-    QString placeText(int place) const;
-    QString wordsAt(double value, int place) const;
+    QString placeText(int at) const;
+    QString wordsAt(double value, int at) const;
     void say();
     void fit(); ///< the head to the width
 
