@@ -6,6 +6,7 @@
 #include "database/repositories/session_reader.h"
 #include "devices/kinematics_catalogue.h"
 #include "report/report_text.h"
+#include "session/exercise_kind.h"
 #include "session/person_json.h"
 #include "session/session_setup.h"
 #include "session/yield_cause.h"
@@ -175,11 +176,14 @@ static QString millimetres(double value_m) {
     return QString::number(std::round(1e4 * value_m) / 10.0 + 0.0, 'f', 1);
 }
 
-QString yieldsText(const QJsonArray& yields) {
+QString yieldsText(const QJsonArray& yields, std::string_view exercise) {
+    const std::string_view words = session::yieldWords(exercise);
+    const QString what = QString::fromUtf8(words.data(), qsizetype(words.size()));
     QString lines;
     for (const QJsonValue yield : yields) {
         const QJsonValue cause = yield["gave_way_to"];
-        lines += QStringLiteral("tissue gave way: trial %1, tool %2, at %3 s")
+        lines += QStringLiteral("%1: trial %2, tool %3, at %4 s")
+                     .arg(what)
                      .arg(yield["trial"].toInt())
                      .arg(yield["tool"].toInt() + 1)
                      .arg(yield["time_s"].toDouble(), 0, 'f', 3);

@@ -6,6 +6,7 @@
 
 #include <QJsonObject>
 #include <QString>
+#include <string_view>
 
 namespace chiron::cli {
 
@@ -26,8 +27,9 @@ core::Result<QJsonArray> eventsJson(database::Connection& connection, const data
 /// The events of tissue that gave way: [{trial, tool, time_s, gave_way_to, position_m}], the position of the
 /// tool's tip in W where it is stored. Trials count from 1, tools from 0.
 QJsonArray yieldsOf(const QJsonArray& events);
-/// The same as text, one line per event, with tools counted from 1; empty if nothing gave way.
-QString yieldsText(const QJsonArray& yields);
+/// The same as text in the words of the exercise (an id), one line per event, with tools counted from 1;
+/// empty if nothing gave way.
+QString yieldsText(const QJsonArray& yields, std::string_view exercise);
 /// Decisions about the session, including those taken back since, one per line; empty if there are none.
 QString decisionsText(const std::vector<database::SessionDecision>& decisions);
 

@@ -31,6 +31,13 @@ bool isOnlyInStudies(std::string_view exercise) noexcept {
     return false;
 }
 
+std::string_view yieldWords(std::string_view exercise) noexcept {
+    for (const ExerciseKind* kind : exerciseKinds())
+        if (kind->id() == exercise)
+            return kind->yieldWords();
+    return kTissueGaveWay;
+}
+
 std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
     std::string ids;
     for (const ExerciseKind* kind : exerciseKinds())

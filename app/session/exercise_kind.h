@@ -87,6 +87,9 @@ struct LimitedMetric {
     std::optional<double> own{};
 };
 
+/// ExerciseKind::yieldWords of an exercise that acts on tissue.
+inline constexpr std::string_view kTissueGaveWay = "tissue gave way";
+
 /// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
 inline constexpr std::string_view kUsualMechanism = devices::kGimbalHprd;
 
@@ -146,6 +149,8 @@ public:
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
     /// The law by which the touched tissue gives way; the default never does.
     virtual simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel&) const { return {}; }
+    /// What happened when it did, in the English of the command line.
+    virtual std::string_view yieldWords() const noexcept { return kTissueGaveWay; }
     /// Makes a scripted operator.
     /// Errors: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level,
@@ -215,5 +220,8 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id);
 
 /// ExerciseKind::onlyInStudies of the exercise with this id; false for an unknown exercise.
 bool isOnlyInStudies(std::string_view exercise) noexcept;
+
+/// ExerciseKind::yieldWords of the exercise with this id; kTissueGaveWay for an unknown exercise.
+std::string_view yieldWords(std::string_view exercise) noexcept;
 
 } // namespace chiron::session

@@ -157,7 +157,8 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
     }
 }
 
-/// Tissue that gives way before a trial runs, or during a pause, does not count as an error.
+/// Tissue that gives way before a trial runs, or during a pause, does not count as an error, and none does
+/// where errors are not counted.
 void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool, const YieldLoad& load) {
     const auto i = static_cast<std::size_t>(tool);
     const bool byTorque =
@@ -166,7 +167,8 @@ void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int to
     mark.value = byTorque ? load.torque_Nm : load.force_N;
     if (byTorque)
         mark.detail = kByTorque;
-    mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
+    mark.critical =
+        m_countsErrors && frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
     mark.p_W = yieldPlaceOf(m_positions, tool, frame.tool[i]);
 }
 

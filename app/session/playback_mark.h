@@ -91,9 +91,10 @@ struct PlaybackMark {
     PlaybackMarkKind kind = mark_kinds::kMarked;
     int trial = 0; ///< from 0
     int tool = 0;
-    bool critical = false;         ///< counted by the session's metric critical_errors
-    std::optional<double> value;   ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
-    std::optional<core::Vec3> p_W; ///< yielded: where, m, W; no value if the packet was refused
+    bool critical = false;       ///< counted by the session's metric critical_errors
+    std::optional<double> value; ///< overLimit: largest tissue force, N; for others see PlaybackMarkKind
+    /// yielded: where, m, W; no value if the packet was refused. Playback crosses the place.
+    std::optional<core::Vec3> p_W;
     /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's
     /// token ("inspection"), empty if unknown; timedOut: kProcedure if the trial did not ask for a mark.
     std::string detail;
@@ -121,12 +122,13 @@ public:
     /// `felt`: the device rendered force, so that the felt force can be smaller than the tissue's. `yield`:
     /// the level's law, which decides whether tissue gave way to force or to torque. `positions`: of the
     /// session's tools; it must outlive the calls of add(). Null: no mark has a place. `sceneEvents`: those
-    /// of the exercise (ExerciseKind::sceneEvents).
+    /// of the exercise (ExerciseKind::sceneEvents). `countsErrors`: the level has the metric critical_errors,
+    /// which no level of a study has.
     MarkExtractor(double forceLimit_N, int tools, bool felt = false, const simulation::YieldLaw& yield = {},
                   const recording::IPositionOf* positions = nullptr,
-                  std::span<const SceneEvent> sceneEvents = {})
-        : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt), m_yield(yield), m_positions(positions),
-          m_sceneEvents(sceneEvents) {}
+                  std::span<const SceneEvent> sceneEvents = {}, bool countsErrors = true)
+        : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt), m_countsErrors(countsErrors),
+          m_yield(yield), m_positions(positions), m_sceneEvents(sceneEvents) {}
 
     /// `t_s`: the frame's device time since the first frame.
     void add(const core::HapticFrame& frame, double t_s);
@@ -157,6 +159,7 @@ private:
     double m_forceLimit_N;
     int m_tools;
     bool m_felt;
+    bool m_countsErrors;
     simulation::YieldLaw m_yield;
     const recording::IPositionOf* m_positions;
     std::span<const SceneEvent> m_sceneEvents;

@@ -16,6 +16,11 @@ namespace {
 
 constexpr double kContact_N = 0.02;
 
+bool countsErrors(const catalogue::ExerciseLevel& level) {
+    return std::any_of(level.metrics.begin(), level.metrics.end(),
+                       [](const catalogue::MetricChoice& metric) { return metric.id == "critical_errors"; });
+}
+
 double normOf(const core::Array6& wrench) {
     return std::hypot(wrench[0], wrench[1], wrench[2]);
 }
@@ -26,7 +31,8 @@ TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces,
                            std::span<const SceneEvent> sceneEvents)
     : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
       m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt,
-              yieldLawOf(session.setup().level), &session.positions(), sceneEvents) {
+              yieldLawOf(session.setup().level), &session.positions(), sceneEvents,
+              countsErrors(session.setup().level)) {
     m_track.session = session.record().summary.id;
     m_track.exercise = session.setup().level.exercise;
     m_track.level = session.setup().level.number;

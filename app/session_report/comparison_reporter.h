@@ -10,6 +10,7 @@ class ComparisonReporter final : public ExerciseReporter {
 public:
     std::string_view id() const noexcept override { return "comparison"; }
     EndWords ends() const override;
+    std::span<const MarkWords> marks() const noexcept override;
 };
 
 } // namespace chiron::session_report

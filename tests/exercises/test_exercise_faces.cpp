@@ -7,6 +7,7 @@
 #include "desktop/scene2d/flat_content.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
+#include "session/playback_track.h"
 #include "session_report/exercise_reporter.h"
 #include "session_report/mark_words.h"
 #include "session_report/tool_words.h"
@@ -63,6 +64,7 @@ private slots:
     void everyEndHasWords();
     void everyListHasEveryLine();
     void everyMarkHasWords();
+    void anObjectThatCameOffIsNoTissue();
     void rulesOfMomentsAreOfWhatThereIs();
 };
 
@@ -253,6 +255,34 @@ void TestExerciseFaces::everyMarkHasWords() {
         }
     }
     QVERIFY(own >= 10);
+}
+
+/// A lifted object of a study that comes off the tool is no tissue and no penalty, wherever it is said; every
+/// exercise that is trained acts on tissue.
+void TestExerciseFaces::anObjectThatCameOffIsNoTissue() {
+    session::PlaybackTrack yielded;
+    yielded.marks.emplace_back().kind = session::mark_kinds::kYielded;
+    yielded.marks.back().value = 12.0;
+    for (const catalogue::ExerciseLevel& level : everyLevel()) {
+        session::PlaybackTrack track = yielded;
+        if (session::isOnlyInStudies(level.exercise))
+            QVERIFY((**session::exerciseKind(level.exercise)).addMarks({}, nullptr, track));
+        const session::PlaybackMark& mark = track.marks.front();
+        const bool tissue = !session::isOnlyInStudies(level.exercise);
+        QCOMPARE(session::isPenalty(mark.kind), tissue);
+        const auto words = session::yieldWords(level.exercise);
+        for (const QString& said : {session_report::markText(mark, level.exercise, QLocale::c()),
+                                    faceOf(level).yieldedWords(level, false),
+                                    QString::fromUtf8(words.data(), qsizetype(words.size()))})
+            QVERIFY2(said.contains(tissue ? QStringLiteral("tissue gave way")
+                                          : QStringLiteral("object came off the tool")),
+                     qPrintable(said));
+        if (!tissue)
+            QCOMPARE(session_report::markText(mark, level.exercise, QLocale::c())
+                         .replace(QChar(QChar::Nbsp), QLatin1Char(' ')),
+                     QStringLiteral("The object came off the tool at 12.0 N"));
+    }
+    QVERIFY(session::yieldWords("knitting") == session::kTissueGaveWay);
 }
 
 QTEST_MAIN(TestExerciseFaces)

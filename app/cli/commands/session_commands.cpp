@@ -73,7 +73,9 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
     QJsonObject json = sessionJson(*view, *record);
     json.insert("yields", yields);
     return CommandOutput{QJsonDocument(json),
-                         scoreText(*view) + yieldsText(yields) + decisionsText(record->decisions), 0};
+                         scoreText(*view) + yieldsText(yields, record->summary.exercise) +
+                             decisionsText(record->decisions),
+                         0};
 }
 
 core::Result<void> writeFormat(const QString& format, session::SessionView& session,

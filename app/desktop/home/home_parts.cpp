@@ -92,7 +92,7 @@ QString HomeScreen::lastResult(const HomeData& home, const session::LevelStandin
         return {};
     const database::SessionSummary& summary = row->summary;
     const bool ended = summary.state == database::SessionState::completed;
-    return tr("Last time: level %1, %2, %3")
+    return tr("Last time: level %1 · %2 · %3")
         .arg(context().locale().toString(summary.level),
              ended ? SessionWords::outcome(SessionWords::outcomeOf(summary))
                    : SessionWords::state(summary.state),

@@ -2,6 +2,7 @@
 #include "desktop/playback/comment_panel.h"
 
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/wrapped_items.h"
 
 #include <QDateTime>
 #include <QListWidget>
@@ -23,9 +24,7 @@ CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, MomentWord
 void CommentPanel::buildList(QVBoxLayout& column) {
     m_list->setObjectName(QStringLiteral("playback.comments"));
     m_list->setAccessibleName(tr("Comments"));
-    m_list->setWordWrap(true);
-    m_list->setTextElideMode(Qt::ElideNone);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    wrapItems(*m_list, m_theme);
     m_list->setIconSize(QSize(m_theme.px(18), m_theme.px(18)));
     m_none = kit::label(m_theme, tr("No comments yet."), TextStyle::body, "muted");
     column.addWidget(m_none);

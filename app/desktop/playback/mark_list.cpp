@@ -4,6 +4,7 @@
 #include "desktop/playback/mark_look.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/wrapped_items.h"
 #include "session_report/mark_words.h"
 
 #include <QCheckBox>
@@ -26,9 +27,7 @@ MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<sessio
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("playback.marks"));
     m_list->setAccessibleName(tr("Events"));
-    m_list->setWordWrap(true);
-    m_list->setTextElideMode(Qt::ElideNone);
-    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    wrapItems(*m_list, theme);
     m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
     m_none = kit::label(theme, tr("No events of this kind."), TextStyle::body, "muted");
     auto* filters = new ResponsiveRow(theme.px(260), theme.px(2));

@@ -70,8 +70,7 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
         state.p_WMark = trial->p_WEnd;
     }
     for (const session::PlaybackMark& mark : track.marks)
-        if (mark.kind == session::mark_kinds::kYielded && mark.p_W &&
-            mark.trial == static_cast<int>(view.moment.trial) && mark.t_s <= t_s)
+        if (mark.p_W && mark.trial == static_cast<int>(view.moment.trial) && mark.t_s <= t_s)
             state.p_WYielded.push_back(*mark.p_W);
     if (layer)
         layer->showIn(state, track, view, t_s);

@@ -56,7 +56,9 @@ QString PlaybackScreen::help() const {
               "comments.\n\nChoose a second session to see it beside this one: each of its trials starts "
               "together with the trial here and "
               "is drawn in the same place.") +
-           QStringLiteral("\n\n") + tr("A cross in the scene shows where tissue gave way.");
+           QStringLiteral("\n\n") +
+           tr("A cross in the scene shows where tissue gave way, or where an object of a study came off the "
+              "tool.");
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {

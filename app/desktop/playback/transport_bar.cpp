@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/transport_bar.h"
 
-#include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_token_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
@@ -22,19 +21,14 @@ TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackCl
                            MomentWords moments, std::vector<std::pair<double, double>> pauses_s,
                            QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock), m_moments(std::move(moments)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    auto* parts = new ResponsiveRow(theme.px(480), theme.px(6));
-    column->addWidget(parts);
-    auto* controls = new QWidget;
-    auto* row = new FlowLayout(theme.px(4), controls);
+    auto* row = new FlowLayout(theme.px(4), this);
     buildButtons(*row);
     buildSpeed(*row);
     buildLeap(*row, std::move(pauses_s));
-    parts->add(controls, 1);
+    // The last one, so that it is the first to move to a second line, and moves nothing when it changes.
     m_time = kit::line(theme, {}, TextStyle::mono);
     m_time->setObjectName(QStringLiteral("playback.time"));
-    parts->add(m_time, 0);
+    row->addWidget(m_time);
     connect(&clock, &PlaybackClock::playingChanged, this, &TransportBar::showPlaying);
     connect(&clock, &PlaybackClock::moved, this, &TransportBar::showTime);
     connect(&clock, &PlaybackClock::durationChanged, this, &TransportBar::showTime);
@@ -105,6 +99,8 @@ void TransportBar::showPlaying(bool playing) {
 
 void TransportBar::showTime() {
     m_time->setText(m_moments.at(m_clock.position_s()));
+    // Keeps the room of its longest text, or it could move to the line above while playing.
+    m_time->setMinimumWidth(std::max(m_time->minimumWidth(), m_time->sizeHint().width()));
     m_time->setToolTip(
         tr("%1 of %2 in the recording, which begins before the first trial")
             .arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));

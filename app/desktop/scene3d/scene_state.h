@@ -44,7 +44,7 @@ struct SceneState {
     core::Vec3 p_WMark = core::Vec3::Zero();
     bool answered = false; ///< feedback after a trial: where the mark should have been
     core::Vec3 p_WAnswer = core::Vec3::Zero();
-    /// Playback: where tissue gave way in this trial, up to the moment shown.
+    /// Playback: where tissue gave way, or an object came off its tool, in this trial up to the moment shown.
     std::vector<core::Vec3> p_WYielded;
     core::ExerciseCues exercise; ///< as the exercise's scene displayed it, or as recorded
     core::ExerciseCues overlay;  ///< added by the exercise's screens

@@ -24,6 +24,8 @@ core::Result<PeopleNames> PeopleNames::read(database::Connection& connection, co
 }
 
 std::string PeopleNames::of(const database::SessionSummary& session) const {
+    if (session.person == database::Actor::kSimulatedPerson)
+        return tr("Scripted hand").toStdString();
     const auto full = m_full.find(session.person);
     return full == m_full.end() ? session.personName : full->second;
 }

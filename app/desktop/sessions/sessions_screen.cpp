@@ -68,8 +68,10 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     const int sign = theme.px(26);
     std::array<int, SessionTableModel::columns> widths{};
     widths[SessionTableModel::number] = widest({QStringLiteral("00000")});
-    widths[SessionTableModel::started] =
-        widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
+    QStringList starts; // every hour, because a clock of twelve hours has its longest at ten and at twelve
+    for (int hour = 0; hour < 24; ++hour)
+        starts << locale.toString(QDateTime(QDate(2026, 10, 20), QTime(hour, 44)), QLocale::ShortFormat);
+    widths[SessionTableModel::started] = widest(starts);
     widths[SessionTableModel::person] = widest({QStringLiteral("Nikos Newcomer")});
     widths[SessionTableModel::exercise] = widest(titles.values());
     widths[SessionTableModel::attempt] = widest({QStringLiteral("000")});

@@ -125,7 +125,8 @@ QWidget* PreviewPage::observerGrid() {
                  {0.1, 200, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.weber = now / kPercent; });
     grid->explain(QStringLiteral("preview.weber"),
-                  tr("How small a difference they feel, as a share of the reference."), {0.1, 200, 10});
+                  tr("The just noticeable difference of these observers, as a share of the reference."),
+                  {0.1, 200, 10});
     grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse,
                  {0, 50, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.lapse = now / kPercent; });
@@ -173,7 +174,7 @@ QWidget* PreviewPage::powerGrid() {
                     m_power.paired = now;
                     showPower();
                 });
-    grid->whole(tr("Participants (of two groups: in each)"), QStringLiteral("preview.participants"),
+    grid->whole(tr("Participants (with two groups: in each)"), QStringLiteral("preview.participants"),
                 m_power.participants, 2, 1000, [this](int now) {
                     m_power.participants = now;
                     showPower();

@@ -94,12 +94,15 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
     if (compares)
         fields.number(tr("Time to answer"), "answer_limit", &TrialRules::answerLimit_s,
                       {0, 3600, 1, s, 1, tr("no limit")},
-                      tr("Once the objects are gone; without an answer the trial comes again. 0: no limit."),
+                      tr("Time to answer once the objects are gone. Without an answer the trial is repeated. "
+                         "0: no limit."),
                       20);
     fields.number(tr("Between trials"), "between_trials", &TrialRules::betweenTrials_s, {0, 60, 1, s, 0.5},
                   tr("Time until the next objects come."), 1);
     fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 200,
-                 tr("At the largest difference, with feedback, before each condition; never scored."), 4);
+                 tr("Trials before each condition, at the largest difference and with feedback. They are "
+                    "never scored."),
+                 4);
     fields.whole(tr("Trials between breaks"), "break_every", &TrialRules::breakEvery, 0, 10000,
                  tr("Participants rest before they go on; 0: never."), 40);
     fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10},
@@ -120,7 +123,7 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
         fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N,
                       {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
                       tr("An object counts as touched only once it was pressed, pulled or lifted with this "
-                         "force, so that nobody answers after a graze. 0: any touch counts."),
+                         "force, so that nobody answers after barely touching it. 0: any touch counts."),
                       kUsualProbe_N);
     const auto showWhatApplies = [grid, &draft = page.draft] {
         // Its clock starts when the exploration time ends.
@@ -196,14 +199,15 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
                          });
                      });
         grid->explain(QStringLiteral("design.order"),
-                      tr("How conditions follow each other from participant to participant. A Williams "
-                         "design also balances what comes after what."));
+                      tr("In which order each participant does the conditions. A Williams design also "
+                         "balances which condition follows which."));
     }
     blinding(tr("Blind participants"), "design.blind_participant", &StudyDesign::blindParticipant,
              tr("Participants see no values and no names of conditions."));
     if (draft.design().conditions.size() > 1)
-        blinding(tr("Blind experimenters"), "design.blind_experimenter", &StudyDesign::blindExperimenter,
-                 tr("Until the study is unblinded, conditions go by sealed codes."));
+        blinding(
+            tr("Blind experimenters"), "design.blind_experimenter", &StudyDesign::blindExperimenter,
+            tr("Until the study is unblinded, experimenters see sealed codes instead of the conditions."));
     grid->text(
         tr("Seed"), QStringLiteral("design.seed"), QString::number(draft.design().seed),
         [grid, &draft, locale = page.app.locale()](const QString& now) {
@@ -237,7 +241,7 @@ QWidget* RulesPage::fidelityBox(const DesignPage& page) {
                                             &StudyDesign::fidelity, tr("Limits of fidelity")};
     fields.number(tr("Force error"), "force_error", &FidelityLimits::forceErrorRms_N,
                   {0.001, 100, 3, QStringLiteral("N"), 0.01},
-                  tr("Measured against commanded force, root mean square."), 0.15);
+                  tr("How far the measured force may be from the commanded one, root mean square."), 0.15);
     fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 0.1,
                    1000, tr("How far the rendered value may be from the requested one."), 15);
     fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 0, 100,

@@ -142,7 +142,9 @@ void StudyScreen::build() {
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
     column->addWidget(m_bar);
-    m_faults = new NoticeArea(context().theme());
+    // What cannot be changed has no faults, so nothing takes the room of the page.
+    m_faults =
+        new NoticeArea(context().theme(), readOnly() ? NoticeArea::Room::none : NoticeArea::Room::kept);
     m_faults->setObjectName(QStringLiteral("study.faults"));
     column->addWidget(m_faults);
     m_toFault = kit::button(context().theme(), tr("Show the first"), "", QStringLiteral("go-next"));

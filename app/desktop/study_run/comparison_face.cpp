@@ -29,6 +29,10 @@ std::unique_ptr<LivePart> ComparisonFace::livePart(const catalogue::ExerciseLeve
     return std::make_unique<PointPart>(level, std::move(around));
 }
 
+QString ComparisonFace::yieldedWords(const catalogue::ExerciseLevel&, bool) const {
+    return AnswerTexts::tr("The object came off the tool");
+}
+
 QString ComparisonFace::debriefTitle() const {
     return DebriefPartTexts::tr("What was compared");
 }

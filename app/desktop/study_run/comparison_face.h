@@ -13,6 +13,7 @@ public:
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;
+    QString yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level,

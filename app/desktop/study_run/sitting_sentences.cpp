@@ -18,14 +18,17 @@ struct SittingWords {
 /// From the limits by which trials are judged (session::FidelityMeter).
 QString limitSentence(const psychophysics::FidelityLimits& limits, bool pulls, const QLocale& locale) {
     constexpr double kCentimetres = 100.0;
-    const QString force = study_words::plainNumber(limits.peakForce_N, locale);
-    const QString speed = study_words::plainNumber(kCentimetres * limits.meanSpeed_m_per_s, locale);
+    const auto with = [&locale](double number, const char* unit) -> QString { // no line begins with the unit
+        return study_words::plainNumber(number, locale) + QChar(QChar::Nbsp) + QLatin1String(unit);
+    };
+    const QString force = with(limits.peakForce_N, "N");
+    const QString distance = with(kCentimetres * limits.meanSpeed_m_per_s, "cm");
     return pulls ? SittingWords::tr("Pull gently and move calmly: a trial in which you pull with more than "
-                                    "%1 N, or move faster than %2 cm per second on average, is repeated.")
-                       .arg(force, speed)
+                                    "%1, or move faster than %2 per second on average, is repeated.")
+                       .arg(force, distance)
                  : SittingWords::tr("Press gently and move calmly: a trial in which you press with more than "
-                                    "%1 N, or move faster than %2 cm per second on average, is repeated.")
-                       .arg(force, speed);
+                                    "%1, or move faster than %2 per second on average, is repeated.")
+                       .arg(force, distance);
 }
 
 } // namespace

@@ -428,7 +428,9 @@ void TrialsScreen::fail(const core::Error& error) {
 /// This is not an error: it takes another device or another study.
 void TrialsScreen::refuse(const QString& words) {
     over();
-    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"),
+    m_panel->showEmpty(tr("Not possible with this device"), words,
+                       triedStudy().isValid() ? tr("Back to the study")
+                                              : tr("Back to the participant's conditions"),
                        [this] { leave(); });
 }
 

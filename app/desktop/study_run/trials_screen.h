@@ -108,6 +108,7 @@ private:
     void bringBack(); ///< the participant's screen has disappeared
     bool guarded() const;
     bool isPilot() const { return m_live && !m_live->design().pilotOf.empty(); }
+    QVariant triedStudy() const; ///< the number of the draft that a pilot tries; invalid if this is no pilot
     void callExperimenter(std::function<void()> then);
     void showDesk();
     void showPage();

@@ -72,8 +72,8 @@ void TrialsScreen::buildDesk() {
     column->setSpacing(theme.px(10));
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(12), bar);
-    m_toPage =
-        kit::button(theme, tr("Back to the participant (F2)"), "primary", QStringLiteral("go-previous"));
+    m_toPage = kit::button(theme, tr("Back to the participant's page (F2)"), "primary",
+                           QStringLiteral("go-previous"));
     m_toPage->setObjectName(QStringLiteral("trials.to_page"));
     connect(m_toPage, &QPushButton::clicked, this, &TrialsScreen::showPage);
     row->addWidget(m_toPage);

@@ -163,6 +163,10 @@ void TrialsScreen::showEnd(const QString& what) {
         m_page->setFocus(Qt::OtherFocusReason);
 }
 
+QVariant TrialsScreen::triedStudy() const {
+    return place().parameters.value(QStringLiteral("pilot_of"));
+}
+
 void TrialsScreen::leave() {
     m_released = true;
     if (m_completed)
@@ -170,7 +174,7 @@ void TrialsScreen::leave() {
     else if (!m_ended.isEmpty())
         context().messages().information(m_ended);
     // A pilot returns to the design that was tried.
-    if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) {
+    if (const QVariant draft = triedStudy(); draft.isValid()) {
         context().navigator().replace(
             {QStringLiteral("study"),
              {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});

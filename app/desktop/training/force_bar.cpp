@@ -13,13 +13,14 @@ constexpr double kReach = 1.25; // multiple of the limit, so that a value above 
 
 ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
                    QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_numbers(numbers) {
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)),
+      m_head(theme, m_quantity.name), m_numbers(numbers) {
     setAccessibleName(m_quantity.name);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 QSize ForceBar::sizeHint() const {
-    return {m_theme.px(200), m_theme.px(40)};
+    return {m_theme.px(200), m_theme.px(40) + m_head.extra_px()};
 }
 
 void ForceBar::setValue(double value) {
@@ -28,29 +29,30 @@ void ForceBar::setValue(double value) {
     const bool wasOver = isOver();
     m_value = value;
     if (wasOver != isOver())
-        setAccessibleDescription(words());
+        setAccessibleDescription(words(m_value));
     update();
 }
 
-QString ForceBar::words() const {
+QString ForceBar::words(double value) const {
     if (!m_numbers)
-        return isOver() ? tr("over the limit") : QString();
-    const QString number = m_locale.toString(m_value, 'f', m_quantity.decimals);
-    return isOver() ? tr("%1 %2, over the limit").arg(number, m_quantity.unit)
-                    : tr("%1 %2").arg(number, m_quantity.unit);
+        return isOver(value) ? tr("over the limit") : QString();
+    const QString number = m_locale.toString(value, 'f', m_quantity.decimals);
+    return isOver(value) ? tr("%1 %2, over the limit").arg(number, m_quantity.unit)
+                         : tr("%1 %2").arg(number, m_quantity.unit);
+}
+
+void ForceBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const double over = kReach * m_quantity.limit;
+    if (m_head.fit(width(), {words(over)}))
+        updateGeometry();
 }
 
 void ForceBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.setFont(m_theme.font(TextStyle::label));
-    const int textHeight = painter.fontMetrics().height();
-    const QRect head(0, 0, width(), textHeight);
-    painter.setPen(m_theme.color(Colour::text));
-    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, m_quantity.name);
-    painter.setPen(m_theme.color(isOver() ? Colour::bad : Colour::text));
-    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, words());
+    m_head.paint(painter, width(), words(m_value), isOver() ? Colour::bad : Colour::text);
 
-    const QRect track(0, textHeight + m_theme.px(4), width() - 1, m_theme.px(14));
+    const QRect track(0, m_head.height_px() + m_theme.px(4), width() - 1, m_theme.px(14));
     painter.setPen(m_theme.color(Colour::borderStrong));
     painter.setBrush(m_theme.color(Colour::raised));
     painter.drawRect(track);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/theme/theme.h"
+#include "desktop/training/bar_head.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -24,19 +25,22 @@ public:
              QWidget* parent = nullptr);
 
     void setValue(double value); ///< in the quantity's unit, ≥ 0
-    bool isOver() const noexcept { return m_value > m_quantity.limit; }
+    bool isOver() const noexcept { return isOver(m_value); }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QString words() const;
+    bool isOver(double value) const noexcept { return value > m_quantity.limit; }
+    QString words(double value) const; ///< what the bar says at this value
 
     const Theme& m_theme;
     QLocale m_locale;
     Quantity m_quantity;
+    BarHead m_head;
     bool m_numbers;
     double m_value = 0.0;
 };

@@ -9,13 +9,14 @@ namespace chiron::desktop {
 
 TargetBar::TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers,
                      QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_numbers(numbers) {
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)),
+      m_head(theme, m_quantity.name), m_numbers(numbers) {
     setAccessibleName(m_quantity.name);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 QSize TargetBar::sizeHint() const {
-    return {m_theme.px(200), m_theme.px(42)};
+    return {m_theme.px(200), m_theme.px(42) + m_head.extra_px()};
 }
 
 void TargetBar::setBand(double low, double high) {
@@ -23,6 +24,7 @@ void TargetBar::setBand(double low, double high) {
         return;
     m_low = low;
     m_high = high;
+    fit();
     say();
     update();
 }
@@ -31,6 +33,7 @@ void TargetBar::setLimit(double limit) {
     if (limit == m_limit)
         return;
     m_limit = limit;
+    fit();
     say();
     update();
 }
@@ -57,8 +60,8 @@ int TargetBar::place() const {
     return m_value < m_low ? -1 : m_value > m_high ? 1 : 0;
 }
 
-QString TargetBar::placeText() const {
-    switch (place()) {
+QString TargetBar::placeText(int at) const {
+    switch (at) {
     case -1:
         return tr("below the band");
     case 0:
@@ -73,26 +76,40 @@ QString TargetBar::placeText() const {
 }
 
 QString TargetBar::words() const {
-    const QString where = placeText();
+    return wordsAt(m_value, place());
+}
+
+QString TargetBar::wordsAt(double value, int at) const {
+    const QString where = placeText(at);
     if (!m_numbers)
         return where;
-    const QString number = m_locale.toString(m_value, 'f', m_quantity.decimals);
+    const QString number = m_locale.toString(value, 'f', m_quantity.decimals);
     return where.isEmpty() ? tr("%1 %2").arg(number, m_quantity.unit)
                            : tr("%1 %2, %3").arg(number, m_quantity.unit, where);
 }
 
+void TargetBar::fit() {
+    QStringList said{wordsAt(m_quantity.end, 3)};
+    if (m_high > 0.0)
+        for (const int at : {-1, 0, 1})
+            said << wordsAt(m_quantity.end, at);
+    if (m_limit > 0.0)
+        said << wordsAt(m_quantity.end, 2);
+    if (m_head.fit(width(), said))
+        updateGeometry();
+}
+
+void TargetBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
 void TargetBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.setFont(m_theme.font(TextStyle::label));
-    const int textHeight = painter.fontMetrics().height();
-    const QRect head(0, 0, width(), textHeight);
-    painter.setPen(m_theme.color(Colour::text));
-    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, m_quantity.name);
     const Colour ink = place() == 2 ? Colour::bad : place() == 0 ? Colour::good : Colour::text;
-    painter.setPen(m_theme.color(ink));
-    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, words());
+    m_head.paint(painter, width(), words(), ink);
 
-    const QRect track(0, textHeight + m_theme.px(5), width() - 1, m_theme.px(14));
+    const QRect track(0, m_head.height_px() + m_theme.px(5), width() - 1, m_theme.px(14));
     const auto xOf = [&](double value) {
         return track.left() + qRound(std::clamp(value / m_quantity.end, 0.0, 1.0) * (track.width() - 1));
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/theme/theme.h"
+#include "desktop/training/bar_head.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -33,15 +34,19 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     int place() const; ///< -1 below, 0 in, 1 above the band; 2 over the limit; 3 no target
-    QString placeText() const;
+    QString placeText(int at) const;
+    QString wordsAt(double value, int at) const;
     void say();
+    void fit(); ///< the head to the width
 
     const Theme& m_theme;
     QLocale m_locale;
     Quantity m_quantity;
+    BarHead m_head;
     bool m_numbers;
     double m_low = 0.0;
     double m_high = 0.0;

@@ -3,7 +3,9 @@
 
 #include "operators/comparison/comparison_explorer.h"
 #include "operators/settings/operator_table.h"
+#include "session/playback_track.h"
 #include "session/session_setup.h"
+#include "session/study/comparison_marks.h"
 #include "simulation/comparison/comparison_scene.h"
 
 #include <algorithm>
@@ -111,6 +113,14 @@ void ComparisonKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64
 std::unique_ptr<TrialSurfaces> ComparisonKind::makeSurfaces(const catalogue::ExerciseLevel& level,
                                                             std::uint64_t) const {
     return std::make_unique<ComparisonSurfaces>(parametersOf(level));
+}
+
+core::Result<void> ComparisonKind::addMarks(const SessionSetup&, const scoring::SessionTrace*,
+                                            PlaybackTrack& track) const {
+    for (PlaybackMark& mark : track.marks)
+        if (mark.kind == mark_kinds::kYielded)
+            mark.kind = mark_kinds::kCameOff;
+    return {};
 }
 
 } // namespace chiron::session

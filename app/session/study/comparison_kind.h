@@ -33,6 +33,11 @@ public:
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                 std::uint64_t seed) const override;
+    /// No tissue gives way here: what yields is the bed of a lifted object, which comes off the tool
+    /// (mark_kinds::kCameOff).
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace,
+                                PlaybackTrack& track) const override;
+    std::string_view yieldWords() const noexcept override { return "object came off the tool"; }
 };
 
 } // namespace chiron::session

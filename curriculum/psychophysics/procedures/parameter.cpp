@@ -102,8 +102,8 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
                  .ignored = !has.precision};
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
-        fewest.meaning =
-            QT_TRANSLATE_NOOP("Procedures", "The run does not end earlier, however sure the estimate is.");
+        fewest.meaning = QT_TRANSLATE_NOOP(
+            "Procedures", "The run does not end before this number of trials, however sure the estimate is.");
         fewest.usual = UsualValue{20};
         sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop at this precision");
         sd.meaning = QT_TRANSLATE_NOOP(

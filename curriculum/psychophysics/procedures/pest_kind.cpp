@@ -35,9 +35,9 @@ std::vector<Parameter> pestRows() {
                .maximum = 1000,
                .description = "a step once right answers are off by more than this.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Tolerated deviation"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures",
-                                            "How many answers more or fewer than expected end a level: "
-                                            "larger values take longer and make the decision more reliable."),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "A level ends once there are this many right answers more or fewer than "
+                                 "expected. Larger values take longer and make the decision more reliable."),
                .usual = UsualValue{1},
                .field = FieldRange{0.1, 10, 2, 0.1}}),
         rowOf(&Spec::step,

@@ -26,7 +26,7 @@ std::vector<Parameter> questRows() {
              .unit = "x",
              .quantity = Quantity::spread,
              .description = "sd of that guess.",
-             .title = QT_TRANSLATE_NOOP("Procedures", "Its uncertainty"),
+             .title = QT_TRANSLATE_NOOP("Procedures", "Uncertainty of the expectation"),
              .meaning = QT_TRANSLATE_NOOP("Procedures",
                                           "How far off the expectation may be (one standard deviation)."),
              .meaningOfFactor = QT_TRANSLATE_NOOP(
@@ -48,19 +48,19 @@ std::vector<Parameter> questRows() {
                .maximum = 1e6,
                .description = "beta of the Weibull function.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Slope β"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures",
-                   "How steeply right answers grow with the difference; it is assumed, not measured."),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "How steeply the share of right answers grows with "
+                                                          "the difference; it is assumed, not measured."),
                .usual = UsualValue{3.5},
                .field = FieldRange{0.1, 50, 2, 0.1}}),
-        rowOf(&Spec::lapse, {.key = "lapse",
-                             .quantity = Quantity::share,
-                             .maximum = 1,
-                             .description = "delta, share of trials answered blindly.",
-                             .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
-                             .meaning = QT_TRANSLATE_NOOP(
-                                 "Procedures", "Answers that are wrong although the difference is felt."),
-                             .usual = UsualValue{1}}),
+        rowOf(&Spec::lapse,
+              {.key = "lapse",
+               .quantity = Quantity::share,
+               .maximum = 1,
+               .description = "delta, share of trials answered blindly.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "Share of answers that are wrong although the difference is felt."),
+               .usual = UsualValue{1}}),
         rowOf(&Spec::guess,
               {.key = "guess",
                .quantity = Quantity::share,
@@ -69,7 +69,7 @@ std::vector<Parameter> questRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Right by guessing"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures",
-                   "Answers that are right without feeling anything: 50 % with two alternatives."),
+                   "Share of answers that are right although nothing is felt: 50 % with two alternatives."),
                .usual = UsualValue{}}),
         rowOf(
             &Spec::method,

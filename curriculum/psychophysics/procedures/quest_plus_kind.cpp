@@ -52,61 +52,60 @@ void takeGridsOfFunction(ProcedureSpec& of, const Condition& condition) {
 }
 
 Parameter functionRow() {
-    return rowOf(
-        &QuestPlusSpec::function,
-        {.key = "function",
-         .words = {{"weibull_db", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
-                   {"weibull_log10", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
-                   {"weibull", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
-                   {"norm_cdf", QT_TRANSLATE_NOOP("Procedures", "Normal (probit)")},
-                   {"norm_cdf_2", QT_TRANSLATE_NOOP("Procedures", "Normal, lapses on both sides")},
-                   {"logistic", QT_TRANSLATE_NOOP("Procedures", "Logistic (logit)")},
-                   {"gumbel", QT_TRANSLATE_NOOP("Procedures", "Gumbel")},
-                   {"reverse_gumbel", QT_TRANSLATE_NOOP("Procedures", "Gumbel, mirrored")},
-                   {"hyperbolic_secant", QT_TRANSLATE_NOOP("Procedures", "Hyperbolic secant")},
-                   {"csf"},
-                   {"table"}},
-         .description = "psi = lower_asymptote + (1 - lower_asymptote - lapse_rate) F. F and its parameters: "
-                        "weibull_db 1-exp(-10^(slope(x-threshold)/20)); "
-                        "weibull_log10 and gumbel 1-exp(-10^(slope(x-threshold))); weibull "
-                        "1-exp(-(x/threshold)^slope); norm_cdf Phi((x-mean)/sd); logistic "
-                        "1/(1+exp(-slope(x-threshold))); reverse_gumbel exp(-10^(-slope(x-threshold))); "
-                        "hyperbolic_secant 2/pi atan(exp(pi/2 slope(x-threshold))); "
-                        "csf weibull_db over contrast, spatial_freq, temporal_freq with threshold "
-                        "max(min_thresh, c0+cf f+cw w), parameters min_thresh, c0, cf, cw, "
-                        "slope. norm_cdf_2: lapse_rate + (1 - 2 lapse_rate) Phi((x-mean)/sd). table: the "
-                        "probabilities themselves.",
-         .title = QT_TRANSLATE_NOOP("Procedures", "Psychometric function"),
-         .meaning = QT_TRANSLATE_NOOP(
-             "Procedures", "The shape by which right answers are assumed to grow with the difference."),
-         .change = QT_TRANSLATE_NOOP("Procedures", "Change of the function"),
-         .wordsFor = functionsFor,
-         .follow = takeGridsOfFunction});
+    return rowOf(&QuestPlusSpec::function,
+                 {.key = "function",
+                  .words = {{"weibull_db", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
+                            {"weibull_log10", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
+                            {"weibull", QT_TRANSLATE_NOOP("Procedures", "Weibull")},
+                            {"norm_cdf", QT_TRANSLATE_NOOP("Procedures", "Normal (probit)")},
+                            {"norm_cdf_2", QT_TRANSLATE_NOOP("Procedures", "Normal, lapses on both sides")},
+                            {"logistic", QT_TRANSLATE_NOOP("Procedures", "Logistic (logit)")},
+                            {"gumbel", QT_TRANSLATE_NOOP("Procedures", "Gumbel")},
+                            {"reverse_gumbel", QT_TRANSLATE_NOOP("Procedures", "Gumbel, mirrored")},
+                            {"hyperbolic_secant", QT_TRANSLATE_NOOP("Procedures", "Hyperbolic secant")},
+                            {"csf"},
+                            {"table"}},
+                  .description =
+                      "psi = lower_asymptote + (1 - lower_asymptote - lapse_rate) F. F and its parameters: "
+                      "weibull_db 1-exp(-10^(slope(x-threshold)/20)); "
+                      "weibull_log10 and gumbel 1-exp(-10^(slope(x-threshold))); weibull "
+                      "1-exp(-(x/threshold)^slope); norm_cdf Phi((x-mean)/sd); logistic "
+                      "1/(1+exp(-slope(x-threshold))); reverse_gumbel exp(-10^(-slope(x-threshold))); "
+                      "hyperbolic_secant 2/pi atan(exp(pi/2 slope(x-threshold))); "
+                      "csf weibull_db over contrast, spatial_freq, temporal_freq with threshold "
+                      "max(min_thresh, c0+cf f+cw w), parameters min_thresh, c0, cf, cw, "
+                      "slope. norm_cdf_2: lapse_rate + (1 - 2 lapse_rate) Phi((x-mean)/sd). table: the "
+                      "probabilities themselves.",
+                  .title = QT_TRANSLATE_NOOP("Procedures", "Psychometric function"),
+                  .meaning = QT_TRANSLATE_NOOP(
+                      "Procedures", "How the share of right answers is assumed to grow with the difference."),
+                  .change = QT_TRANSLATE_NOOP("Procedures", "Change of the function"),
+                  .wordsFor = functionsFor,
+                  .follow = takeGridsOfFunction});
 }
 
 std::vector<Parameter> questPlusRows() {
     using Spec = QuestPlusSpec;
     std::vector<Parameter> rows{
         functionRow(),
-        rowOf(&Spec::repeatLimit,
-              {.key = "repeat_limit",
-               .maximum = 1000,
-               .description =
-                   "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
-                   "as often as it is best.",
-               .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "How often in succession a difference is shown at most; 0: no limit."),
-               .usual = UsualValue{4}}),
+        rowOf(
+            &Spec::repeatLimit,
+            {.key = "repeat_limit",
+             .maximum = 1000,
+             .description = "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
+                            "as often as it is best.",
+             .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
+             .meaning = QT_TRANSLATE_NOOP(
+                 "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
+             .usual = UsualValue{4}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",
                .quantity = Quantity::share,
                .maximum = 0.99,
                .description = "share of trials at the easiest stimulus, drawn.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Catch trials"),
-               .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures",
-                   "Share of trials at the largest difference, which show whether a participant attends."),
+               .meaning = QT_TRANSLATE_NOOP("Procedures", "Share of trials with the largest difference, "
+                                                          "which show whether a participant pays attention."),
                .usual = UsualValue{0}})};
     addStopRows<Spec>(rows, {.precision = true});
     std::vector<Parameter> rest{

@@ -25,8 +25,8 @@ std::vector<Parameter> rank3Rows() {
          .description = "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
                         "as often as it is best.",
          .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
-         .meaning = QT_TRANSLATE_NOOP("Procedures",
-                                      "How often in succession a difference is shown at most; 0: no limit."),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
          .usual = UsualValue{4}})};
     // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
@@ -40,18 +40,18 @@ std::vector<Parameter> rank3Rows() {
                              .title = QT_TRANSLATE_NOOP("Procedures", "Lapses"),
                              .meaning = QT_TRANSLATE_NOOP(
                                  "Procedures", "Shares of careless answers that are considered possible.")}),
-        rowOf(
-            &Spec::tieThresholds,
-            {.key = "tie_thresholds",
-             .maximum = 20,
-             .fewest = 1,
-             .description = "with allow_ties: grid of the difference felt, in sigma, below which "
-                            "neighbours are called equal.",
-             .item = "A threshold above 0.",
-             .title = QT_TRANSLATE_NOOP("Procedures", "Ties (in σ)"),
-             .meaning = QT_TRANSLATE_NOOP("Procedures", "Possible limits below which two objects are called "
-                                                        "equal, in standard deviations of what is felt."),
-             .applies = allowsTies}),
+        rowOf(&Spec::tieThresholds,
+              {.key = "tie_thresholds",
+               .maximum = 20,
+               .fewest = 1,
+               .description = "with allow_ties: grid of the difference felt, in sigma, below which "
+                              "neighbours are called equal.",
+               .item = "A threshold above 0.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Ties (in σ)"),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "Possible limits: two objects whose felt difference is smaller "
+                                            "are called equal. In standard deviations of what is felt."),
+               .applies = allowsTies}),
         rowOf(&Spec::log10Sigma,
               {.key = "log10_sigma",
                .unit = "log10 of log10",
@@ -64,7 +64,8 @@ std::vector<Parameter> rank3Rows() {
                .byDefault = "from a tenth of the smallest difference to three times the largest, 0.05 apart",
                .title = QT_TRANSLATE_NOOP("Procedures", "Just noticeable difference"),
                .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "Just noticeable differences between these are considered possible.")}),
+                   "Procedures",
+                   "Just noticeable differences between these two values are considered possible.")}),
         rowOf(&Spec::differences,
               {.key = "differences",
                .unit = "log10",

@@ -54,7 +54,7 @@ std::vector<Parameter> staircaseRows() {
                .description = "consecutive right answers before a step down.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Right answers for a step down"),
                .meaning = QT_TRANSLATE_NOOP("Procedures",
-                                            "How many right answers in succession make the next trial "
+                                            "After this many right answers in a row the next trial is "
                                             "harder; with 3 the run converges at about 80 % right answers."),
                .usual = UsualValue{3}}),
         rowOf(&Spec::up,
@@ -64,7 +64,7 @@ std::vector<Parameter> staircaseRows() {
                .description = "consecutive wrong answers before a step up.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Wrong answers for a step up"),
                .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "How many wrong answers in succession make the next trial easier."),
+                   "Procedures", "After this many wrong answers in a row the next trial is easier."),
                .usual = UsualValue{1}}),
         rowOf(&Spec::stepRatio,
               {.key = "step_ratio",
@@ -101,27 +101,29 @@ std::vector<Parameter> staircaseRows() {
                .item = "A step.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Steps up"),
                .meaning =
-                   QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; the last one is kept."),
+                   QT_TRANSLATE_NOOP("Procedures", "The first is used until the first reversal, and the next "
+                                                   "one from each reversal on; the last one is kept."),
                .asStored = hasLogarithmicSteps}),
-        rowOf(&Spec::stepsDown, {.key = "steps_down",
-                                 .unit = "x",
-                                 .quantity = Quantity::spread,
-                                 .minimum = 1e-12,
-                                 .description = "the same of steps down.",
-                                 .item = "A step.",
-                                 .byDefault = "[]: as steps_up",
-                                 .title = QT_TRANSLATE_NOOP("Procedures", "Steps down"),
-                                 .meaning = QT_TRANSLATE_NOOP(
-                                     "Procedures", "One for each reversal so far; none: the same as up."),
-                                 .applies = listsStepsDown,
-                                 .asStored = hasLogarithmicSteps}),
+        rowOf(&Spec::stepsDown,
+              {.key = "steps_down",
+               .unit = "x",
+               .quantity = Quantity::spread,
+               .minimum = 1e-12,
+               .description = "the same of steps down.",
+               .item = "A step.",
+               .byDefault = "[]: as steps_up",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Steps down"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "In the same order as the steps up; none: the same as the steps up."),
+               .applies = listsStepsDown,
+               .asStored = hasLogarithmicSteps}),
         rowOf(&Spec::initialOneUpOneDown,
               {.key = "initial_one_up_one_down",
                .description = "every answer steps until the first reversal.",
                .title = QT_TRANSLATE_NOOP("Procedures", "One up, one down at first"),
-               .meaning =
-                   QT_TRANSLATE_NOOP("Procedures", "Until the first reversal a single right answer makes it "
-                                                   "harder: the run gets near the threshold sooner.")}),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures", "Until the first reversal a single right answer makes the next trial "
+                                 "harder, so that the run gets near the threshold sooner.")}),
         rowOf(&Spec::resetCounters,
               {.key = "reset_counters",
                .description = "consecutive answers are counted afresh after each step.",

@@ -15,6 +15,7 @@
 #include <QSpinBox>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <QtTest>
 #include <cmath>
@@ -110,6 +111,18 @@ private slots:
 
     /// A layout is not made anew for the focus: what has it, is pressed in or is wrong has the size that it
     /// had.
+    /// The buttons that scroll tabs which have no room are as wide as other small controls, at every scale.
+    void buttonsThatScrollTabsCanBeHit() {
+        for (const double scale : {1.0, 2.0}) {
+            const Theme theme = Theme::load(ThemeName::light, scale).value();
+            QTabBar bar;
+            bar.setStyleSheet(theme.styleSheet());
+            bar.ensurePolished();
+            QCOMPARE(bar.style()->pixelMetric(QStyle::PM_TabBarScrollButtonWidth, nullptr, &bar),
+                     theme.px(28));
+        }
+    }
+
     void focusChangesNoSize_data() {
         QTest::addColumn<double>("scale");
         for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0})

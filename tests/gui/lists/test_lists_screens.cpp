@@ -237,6 +237,13 @@ private slots:
             auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
             QTRY_COMPARE_WITH_TIMEOUT(table->horizontalScrollBar()->maximum(), 0, kPatience_ms);
             using Model = SessionTableModel;
+            const QFontMetrics metrics(desktop.context.theme().font(TextStyle::body));
+            for (const int hour : {8, 11, 20, 23}) { // on a clock of twelve hours, too
+                const QString when = desktop.context.locale().toString(
+                    QDateTime(QDate(2026, 11, 30), QTime(hour, 34)), QLocale::ShortFormat);
+                QVERIFY2(metrics.horizontalAdvance(when) < table->columnWidth(Model::started),
+                         qPrintable(when));
+            }
             for (const int column :
                  {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result),
                   int(Model::score), int(Model::comments), int(Model::review)})

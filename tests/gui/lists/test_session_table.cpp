@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/people/people_model.h"
+#include "desktop/sessions/people_names.h"
 #include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_csv.h"
@@ -106,6 +107,17 @@ private slots:
                  count(rows, [](const auto& s) { return s.person == 5 && s.exercise == "sphere_apex"; }));
         filter.text = QStringLiteral("nobody at all");
         QCOMPARE(shown(filter), 0);
+    }
+
+    /// The stored name of who is no person is no word of any language.
+    void aScriptIsNamedInWords() {
+        database::SessionSummary session;
+        session.person = database::Actor::kSimulatedPerson;
+        session.personName = "simulated";
+        QCOMPARE(PeopleNames().of(session), std::string("Scripted hand"));
+        session.person = database::Actor::kSimulatedPerson + 1;
+        session.personName = "Theo";
+        QCOMPARE(PeopleNames().of(session), std::string("Theo"));
     }
 
     /// What has no level is of none that was chosen, whatever is stored with it.

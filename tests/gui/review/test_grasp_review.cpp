@@ -10,6 +10,7 @@
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 #include "report/plot_view.h"
+#include "session/study/comparison_marks.h"
 #include "session_report/mark_words.h"
 
 #include <QtTest>
@@ -286,6 +287,7 @@ private slots:
             mark.trial = trial;
             mark.p_W = core::Vec3(x_m, 0.0, 0.040);
         }
+        track.marks[1].kind = session::mark_kinds::kCameOff; // an object of a study is crossed as well
         track.marks.emplace_back().kind = session::mark_kinds::kYielded; // nobody knows where
         const auto shown = [&](double t_s) { return sceneStateAt(track, nullptr, t_s).p_WYielded; };
         QVERIFY(shown(0.4).empty());

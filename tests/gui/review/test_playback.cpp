@@ -7,7 +7,9 @@
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/playback/scrubber.h"
+#include "desktop/playback/transport_bar.h"
 #include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/wrapped_items.h"
 #include "review_sessions.h"
 #include "support/grasp_session.h"
 #include "support/looked_back.h"
@@ -19,6 +21,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStyle>
 #include <QTabWidget>
 #include <QWheelEvent>
 #include <algorithm>
@@ -50,6 +53,8 @@ private slots:
     void theWheelIsThePages();
     void aKeyOpensTheCommentField();
     void marksJump();
+    void textsOfEventsAreNeverShortened();
+    void theTimeGivesWayFirst();
     void ghostBesideIt();
     void ghostsAreOfTheSameDeviceClass();
     void theEarliestOfTheBestStandsOut();
@@ -367,6 +372,56 @@ void TestPlayback::marksJump() {
     QCOMPARE(screen()->clock().position_s(), there_s);
     for (const char* of : {"Over the limit", "gave way"}) // who pressed so hard did both
         QVERIFY2(!list->findItems(QLatin1String(of), Qt::MatchContains).isEmpty(), of);
+}
+
+/// An item is as high as its text is where it is drawn, at every width: within the padding of the style
+/// sheet.
+void TestPlayback::textsOfEventsAreNeverShortened() {
+    const desktop::Theme& theme = m_site->context.theme();
+    QListWidget list;
+    list.setStyleSheet(theme.styleSheet());
+    desktop::wrapItems(list, theme);
+    const QString text = QStringLiteral("Trial 1, 0:04.2  Miss: the wrong place was marked");
+    list.addItem(text);
+    list.show();
+    const int margin = list.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &list) + 1;
+    std::set<int> heights;
+    for (int width = 150; width < 480; ++width) {
+        list.resize(width, 300);
+        list.doItemsLayout();
+        const QRect at = list.visualItemRect(list.item(0));
+        const int drawn = at.width() - 2 * (theme.px(8) + margin);
+        const QRect needs = list.fontMetrics().boundingRect(QRect(0, 0, drawn, 1000), Qt::TextWordWrap, text);
+        QVERIFY2(at.height() >= needs.height(), qPrintable(QString::number(width)));
+        heights.insert(at.height());
+    }
+    QVERIFY(heights.size() > 1);
+}
+
+/// Where the width has no room for all controls, the time moves to a line of its own, and no control does. It
+/// keeps the room of its longest text, so that it stays there while playing.
+void TestPlayback::theTimeGivesWayFirst() {
+    session::PlaybackTrial trial;
+    trial.start_s = 2.0;
+    trial.end_s = 9.0;
+    desktop::PlaybackClock clock;
+    clock.setDuration(10.0);
+    desktop::TransportBar bar(m_site->context.theme(), QLocale::c(), clock, {{trial}, false, QLocale::c()});
+    const auto* speed = bar.findChild<QComboBox*>(QStringLiteral("playback.speed"));
+    const auto* moment = bar.findChild<QLabel*>(QStringLiteral("playback.time"));
+    const auto* first = bar.findChild<QPushButton*>(QStringLiteral("playback.begin"));
+    const auto below = [&](int width) {
+        bar.resize(width, 200);
+        bar.grab(); // lays it out
+        return moment->y() > speed->geometry().bottom();
+    };
+    QVERIFY(!below(2000));
+    const int all = moment->geometry().right() + 1;
+    QVERIFY(below(all - 1));
+    QVERIFY(speed->y() < first->geometry().bottom()); // in the first line
+    clock.seek(5.0);                                  // its text is shorter now
+    QVERIFY(moment->sizeHint().width() < all);
+    QVERIFY(below(all - 1));
 }
 
 void TestPlayback::ghostBesideIt() {

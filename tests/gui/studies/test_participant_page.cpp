@@ -570,8 +570,8 @@ void TestParticipantPage::whatTheStationDoesIsSaid() {
     const QString silent = desktop::sittingSentences(design, tube, false, locale);
     QVERIFY2(heard.contains(QStringLiteral("noise")) && heard.endsWith(silent), qPrintable(heard));
     QVERIFY2(!silent.contains(QStringLiteral("noise")) && silent.startsWith(QStringLiteral("Pull")) &&
-                 silent.contains(QStringLiteral("3.5 N")) &&
-                 silent.contains(QStringLiteral("8 cm per second")),
+                 silent.contains(QStringLiteral("3.5\u00a0N")) && // not parted by the end of a line
+                 silent.contains(QStringLiteral("8\u00a0cm per second")),
              qPrintable(silent));
     psychophysics::Condition pad = tube;
     pad.stimulus.attribute = psychophysics::Attribute::friction;

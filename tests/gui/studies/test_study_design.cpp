@@ -345,6 +345,10 @@ void TestStudyDesign::fromNothingToFrozen() {
 
 void TestStudyDesign::aCopyOfAFrozenStudy() {
     const psychophysics::StudyDesign original = design();
+    const auto keepsRoomForFaults = [this] {
+        return find<QWidget>("study.faults")->sizePolicy().retainSizeWhenHidden();
+    };
+    QVERIFY(!keepsRoomForFaults()); // nothing in it can be wrong any more
     click("study.copy");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
@@ -362,6 +366,7 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().instructions, original.instructions);
     QVERIFY(design().ethics.empty()); // an approval is of one study
+    QVERIFY(keepsRoomForFaults());
     QVERIFY(find<QLineEdit>("design.title") && !find<QLineEdit>("design.title")->isReadOnly());
     // And from the list.
     m_site->go(QStringLiteral("studies"), {{QStringLiteral("study"), qlonglong(m_study)}});

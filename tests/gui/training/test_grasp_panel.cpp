@@ -136,6 +136,31 @@ private slots:
         QCOMPARE(blind.words(), QStringLiteral("in the band"));
     }
 
+    /// Name and words never overlap: where the width has no room for both, the bar has a second line, for all
+    /// that it may say and not only for what it says now.
+    void nameAndWordsHaveRoom() {
+        const QString name = QStringLiteral("Right index finger: squeeze of the jaw");
+        const auto heightAt = [](QWidget& bar, int width) {
+            bar.resize(width, bar.sizeHint().height());
+            bar.grab(); // delivers the resize event of a widget that is not shown
+            return bar.sizeHint().height();
+        };
+        const QFontMetrics metrics(m_theme.font(TextStyle::label));
+        const auto roomFor = [&](const QString& words) {
+            return metrics.horizontalAdvance(name) + metrics.horizontalAdvance(words);
+        };
+        TargetBar target(m_theme, QLocale::c(), {name, QStringLiteral("N"), 5.0, 2}, true);
+        target.setLimit(4.0);
+        target.setValue(0.5);
+        ForceBar force(m_theme, QLocale::c(), {name, QStringLiteral("N"), 4.0, 2}, true);
+        for (QWidget* bar : {static_cast<QWidget*>(&target), static_cast<QWidget*>(&force)}) {
+            const int line = heightAt(*bar, 1000);
+            QCOMPARE(heightAt(*bar, roomFor(QStringLiteral("0.50 N")) + 30) - line, metrics.height());
+            QVERIFY(heightAt(*bar, roomFor(QStringLiteral("5.00 N, over the limit"))) > line);
+            QCOMPARE(heightAt(*bar, roomFor(QStringLiteral("5.00 N, over the limit")) + 30), line);
+        }
+    }
+
     void aLevelWithoutCuesTellsNothing() {
         simulation::ObjectHandlingParameters handling;
         GraspPanel panel(m_theme, QLocale::c(), {}, handlingGrasping(handling, {}));

@@ -33,7 +33,7 @@ private slots:
         QCOMPARE(yields[0]["gave_way_to"]["unit"].toString(), QStringLiteral("mN·m"));
         QCOMPARE(yields[1]["position_m"].toArray(), (QJsonArray{0.0123, -0.004, 0.0207}));
         QVERIFY(!yields[0].toObject().contains("position_m")); // a session of an earlier version
-        const QStringList lines = cli::yieldsText(yields).trimmed().split(QLatin1Char('\n'));
+        const QStringList lines = cli::yieldsText(yields, "palpation").trimmed().split(QLatin1Char('\n'));
         QCOMPARE(lines, (QStringList{
                             QStringLiteral("tissue gave way: trial 1, tool 1, at 12.346 s, torque 213 mN·m"),
                             QStringLiteral("tissue gave way: trial 2, tool 3, at 20.000 s, force 8.00 N, "
@@ -41,7 +41,12 @@ private slots:
                             QStringLiteral("tissue gave way: trial 2, tool 1, at 21.000 s"),
                             QStringLiteral("tissue gave way: trial 2, tool 1, at 22.000 s, "
                                            "tip at x 0.0, y 0.0, z -0.1 mm")})); // no negative nothing
-        QCOMPARE(cli::yieldsText(cli::yieldsOf({})), QString());
+        QCOMPARE(cli::yieldsText(cli::yieldsOf({}), "palpation"), QString());
+        const QString lifted =
+            cli::yieldsText(QJsonArray{yields[1]}, "comparison"); // no tissue: an object of a study
+        QVERIFY2(
+            lifted.startsWith(QStringLiteral("object came off the tool: trial 2, tool 3, at 20.000 s, ")),
+            qPrintable(lifted));
     }
 };
 

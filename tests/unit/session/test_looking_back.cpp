@@ -233,8 +233,8 @@ private slots:
         frames[5].tool[0].tissue = {0.0, 2.0, 0.0, 0.0, 0.0, 0.213};
         frames[5].tool[0].status |=
             core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
-        const auto marked = [&](const simulation::YieldLaw& law) {
-            MarkExtractor extractor(4.0, 1, false, law);
+        const auto marked = [&](const simulation::YieldLaw& law, bool countsErrors = true) {
+            MarkExtractor extractor(4.0, 1, false, law, nullptr, {}, countsErrors);
             for (const core::HapticFrame& frame : frames)
                 extractor.add(frame, 1e-3 * static_cast<double>(frame.header.index));
             return ofKind(extractor.take(0.011), mark_kinds::kYielded).at(0);
@@ -243,6 +243,7 @@ private slots:
         law.force_N = 8.0;
         const PlaybackMark byForce = marked(law);
         QVERIFY(byForce.critical && byForce.detail.empty());
+        QVERIFY(!marked(law, false).critical); // a level without the metric, as in every study
         QCOMPARE(byForce.value, std::optional(2.0));
         law.torque_Nm = 0.213;
         const PlaybackMark byTorque = marked(law);
