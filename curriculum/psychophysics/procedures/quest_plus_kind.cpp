@@ -97,7 +97,7 @@ std::vector<Parameter> questPlusRows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures", "How often in succession a difference is shown at most; 0: no limit."),
-               .usual = UsualValue{4}}),
+               .usual = UsualValue{}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",
                .quantity = Quantity::share,

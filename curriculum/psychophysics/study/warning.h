@@ -77,6 +77,7 @@ enum class WarningKind : std::uint8_t {
     shownRun,
     shownLeftOut,
     shownInGroup,
+    tooFewToTell, ///< of a run: guessing is not refuted, and neither is a clear advantage over it
     end, ///< not a warning: the number of kinds
 };
 
