@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace chiron::session_report {
 
@@ -237,7 +240,7 @@ QStringList reasons(const GroupRoll& roll, Presence presence) {
         auto same =
             std::find_if(codesOf.begin(), codesOf.end(), [&](const auto& each) { return each.first == why; });
         if (same == codesOf.end())
-            same = codesOf.insert(codesOf.end(), {why, {}});
+            same = codesOf.emplace(codesOf.end(), why, std::vector<std::string>());
         same->second.push_back(person.code);
     }
     QStringList said;

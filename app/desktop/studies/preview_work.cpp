@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/preview_work.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include "catalogue/procedure_reader.h"
 #include "catalogue/procedure_schema.h"
 #include "catalogue/schema.h"
+#include "psychophysics/measures/run_warnings.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QFile>
@@ -324,6 +325,11 @@ void TestProcedureRows::theUsualValueIsWhatAKindBeginsWith() {
                 ++stated;
             }
     QVERIFY(stated > 0);
+    for (const ProcedureKind* kind : procedureKinds()) // how few trials are few stands where they are typed
+        for (const Parameter& row : kind->rows())
+            if (row.key == "trials" && row.object == "stop")
+                QVERIFY2(text(row.meaning).contains(QString::number(kFewTrials)),
+                         qPrintable(nameOf(*kind, row)));
 }
 
 /// Whether two numbers, optional numbers or lists of numbers are equal; other values are not compared.
