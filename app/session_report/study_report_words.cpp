@@ -114,11 +114,11 @@ QString spoiled(const std::string& token) {
     return found == words.end() ? spaced(token) : found->second;
 }
 
-QString codes(const std::vector<std::string>& codes) {
-    QStringList list;
-    for (const std::string& code : codes)
-        list << QString::fromStdString(code);
-    return list.join(QStringLiteral(", "));
+QString codes(const std::vector<std::string>& list) {
+    QStringList words;
+    for (const std::string& code : list)
+        words << QString::fromStdString(code);
+    return words.join(QStringLiteral(", "));
 }
 
 QString number(double value, const QLocale& locale) {

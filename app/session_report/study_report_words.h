@@ -25,7 +25,7 @@ QString runState(database::StudyRunState state);
 QString spoiled(const std::string& token); ///< reason why a trial was repeated
 
 /// The codes of participants, one after another.
-QString codes(const std::vector<std::string>& codes);
+QString codes(const std::vector<std::string>& list);
 
 /// A number with three significant digits; a dash if it is not finite.
 QString number(double value, const QLocale& locale);
