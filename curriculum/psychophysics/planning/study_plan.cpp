@@ -181,10 +181,10 @@ void examineLength(ConditionPlan& plan, const Condition& condition, const Observ
         ConditionPlan again;
         again.runs = plan.runs;
         simulate(again, *longer, observer, seedOf(condition, seed));
-        if (again.runs > 0 && !oftenWithoutValue(again)) {
-            plan.trialsForValues = static_cast<int>(std::lround(again.meanTrials));
-            return;
-        }
+        const bool enough = again.runs > 0 && !oftenWithoutValue(again);
+        if (enough && plan.trialsForValues > 0)
+            return; // the length before was no chance
+        plan.trialsForValues = enough ? static_cast<int>(std::lround(again.meanTrials)) : 0;
     }
 }
 

@@ -72,8 +72,9 @@ bool oftenWithoutValue(const ConditionPlan& plan) noexcept;
 std::optional<Condition> withTrials(Condition condition, int trials);
 
 /// Fills in trialsForValues of the condition's plan: simulates as many runs again with half as many trials
-/// more, and so on, until fewer than 1 in 20 are without a value, at most up to 100 trials. Does nothing if
-/// that is so already. `observer` and `seed`: those of planCondition.
+/// more, and so on up to 100 trials, until fewer than 1 in 20 are without a value at two lengths in
+/// succession; the first of them is taken. Does nothing if fewer are so already. `observer` and `seed`: those
+/// of planCondition.
 void examineLength(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
                    std::uint64_t seed);
 
