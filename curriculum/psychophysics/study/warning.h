@@ -78,7 +78,7 @@ enum class WarningKind : std::uint8_t {
     shownLeftOut,
     shownInGroup,
     tooFewToTell, ///< of a run: guessing is not refuted, and neither is a clear advantage over it
-    end, ///< not a warning: the number of kinds
+    end,          ///< not a warning: the number of kinds
 };
 
 struct Warning {
