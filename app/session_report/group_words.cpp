@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/group_words.h"
 
+#include "psychophysics/study/group_estimate.h"
 #include "session_report/study_report_text.h"
+#include "session_report/study_report_words.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace chiron::session_report {
 
@@ -13,13 +18,8 @@ namespace {
 using psychophysics::WarningKind;
 using session::GroupRoll;
 using session::Presence;
-
-QString joined(const std::vector<std::string>& codes) {
-    QStringList list;
-    for (const std::string& code : codes)
-        list << QString::fromStdString(code);
-    return list.join(QStringLiteral(", "));
-}
+using session::Remedy;
+using session::RolledPerson;
 
 QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
     if (!roll.codesOf(Presence::sealed).empty())
@@ -35,9 +35,51 @@ QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
                                   .arg(locale.toString(used), locale.toString(expected));
 }
 
-/// The reason why participants are not included, and the action to take. "%1": their codes.
-QString reason(Presence presence, bool closed) {
-    switch (presence) {
+/// What a run has whose answers leave the value open, and what would help. "%1": the codes.
+QString openValue(const RolledPerson& person) {
+    QStringList said;
+    switch (person.presence) {
+    case Presence::allRight:
+        said << Words::tr("%1: every answer was right, so the threshold may lie far below the smallest "
+                          "difference presented.");
+        break;
+    case Presence::guessing:
+        said << (person.guesses
+                     ? Words::tr("%1: the answers are no better than guessing, so the threshold may lie far "
+                                 "above the largest difference presented. Check that the task was "
+                                 "understood.")
+                     : Words::tr("%1: the answers do not rule out a threshold far above the largest "
+                                 "difference presented."));
+        break;
+    default:
+        said << Words::tr("%1: the answers do not tell how small or how large the threshold is.");
+        break;
+    }
+    const bool larger = person.presence == Presence::guessing;
+    switch (person.remedy) {
+    case Remedy::none:
+        break;
+    case Remedy::moreTrials:
+        said << Words::tr("The answers are too few to measure it: copy the study and plan more trials.");
+        break;
+    case Remedy::unusedDifferences:
+        said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "
+                                    "measure it, copy the study and plan more trials or a larger first "
+                                    "difference.")
+                        : Words::tr("The study's table has smaller differences, which were not presented. To "
+                                    "measure it, copy the study and plan more trials."));
+        break;
+    case Remedy::otherDifferences:
+        said << (larger ? Words::tr("To measure it, copy the study and plan larger differences.")
+                        : Words::tr("To measure it, copy the study and plan smaller differences."));
+        break;
+    }
+    return said.join(QLatin1Char(' '));
+}
+
+/// The reason why a participant is not included, and the action to take. "%1": the codes of all who have it.
+QString reason(const RolledPerson& person, bool closed) {
+    switch (person.presence) {
     case Presence::notBegun:
         return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more "
                                   "because the study is closed.")
@@ -45,23 +87,15 @@ QString reason(Presence presence, bool closed) {
     case Presence::noAnswers:
         return Words::tr("%1: no answer counts yet. Resume the run under Run.");
     case Presence::unfinished:
-        return closed ? Words::tr("%1: the run was not finished and its answers give no value; it cannot be "
-                                  "resumed because the study is closed.")
-                      : Words::tr("%1: the run is not finished and its answers give no value yet. Resume it "
-                                  "under Run if the participant goes on.");
+        return closed
+                   ? Words::tr("%1: the answers give no value, and the run cannot be resumed because the "
+                               "study is closed.")
+                   : Words::tr("%1: the answers give no value yet. The run is not finished: resume it under "
+                               "Run if the participant goes on.");
     case Presence::allRight:
-        return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference "
-                         "presented. To measure it, copy the study "
-                         "and plan smaller differences.");
     case Presence::guessing:
-        return Words::tr("%1: the answers do not bound the threshold from above, so it may lie above the "
-                         "largest difference presented. Check that "
-                         "the task was understood; to measure the threshold, copy the study and plan more "
-                         "trials or larger differences.");
     case Presence::unbounded:
-        return Words::tr("%1: the answers do not bound the threshold, so the value beside the run comes from "
-                         "prior assumptions. To measure it, copy "
-                         "the study and plan more trials or smaller differences.");
+        return openValue(person);
     case Presence::noValue:
         return Words::tr("%1: the answers give no value. The warnings of the run say why.");
     case Presence::shown:
@@ -100,7 +134,7 @@ QString notCompared(const GroupRoll& first, const GroupRoll& second, const QStri
     return Words::tr("“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two "
                      "participants are needed; nor are there two groups, since nobody has a "
                      "value in “%4” alone.")
-        .arg(a, b, joined(both), onlyIn(first, second).empty() ? a : b);
+        .arg(a, b, study_report_words::codes(both), onlyIn(first, second).empty() ? a : b);
 }
 
 /// If one of two groups is a single person, there is a ratio but no measure of its uncertainty.
@@ -126,13 +160,13 @@ QString whyNot(Presence presence) {
     case Presence::noAnswers:
         return Words::tr("no answer counts yet");
     case Presence::unfinished:
-        return Words::tr("not finished");
+        return Words::tr("the answers give no value yet");
     case Presence::allRight:
         return Words::tr("every answer was right");
     case Presence::guessing:
-        return Words::tr("the answers do not bound it from above");
+        return Words::tr("a much larger threshold is not ruled out");
     case Presence::unbounded:
-        return Words::tr("the value comes from prior assumptions");
+        return Words::tr("the answers do not tell how small or how large it is");
     case Presence::noValue:
         return Words::tr("the answers give no value");
     case Presence::shown:
@@ -143,6 +177,10 @@ QString whyNot(Presence presence) {
         return Words::tr("withdrawn");
     }
     return {};
+}
+
+bool isSupported(const psychophysics::RunEstimate& estimate) {
+    return psychophysics::usableInGroup(estimate) == psychophysics::Usable::yes;
 }
 
 /// True if the participant is left out of the whole study; the group sentences already state this.
@@ -157,7 +195,7 @@ QStringList missing(const GroupRoll& first, const GroupRoll& second, const QStri
     QStringList said;
     std::vector<std::string> codes;
     for (const GroupRoll* roll : {&first, &second})
-        for (const session::RolledPerson& person : roll->people)
+        for (const RolledPerson& person : roll->people)
             if (std::find(codes.begin(), codes.end(), person.code) == codes.end())
                 codes.push_back(person.code);
     for (const std::string& code : codes) {
@@ -187,19 +225,41 @@ QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
                 if (std::find(codes.begin(), codes.end(), code) == codes.end())
                     codes.push_back(code);
         if (!codes.empty())
-            said << reason(presence, false).arg(joined(codes));
+            said << reason({codes.front(), presence}, false).arg(study_report_words::codes(codes));
     }
+    return said;
+}
+
+/// One sentence for each reason why people with this presence are not included, with their codes.
+QStringList reasons(const GroupRoll& roll, Presence presence) {
+    std::vector<std::pair<QString, std::vector<std::string>>> codesOf; // by reason, in the order of the roll
+    for (const RolledPerson& person : roll.people) {
+        if (person.presence != presence)
+            continue;
+        const QString why = reason(person, roll.closed);
+        auto same =
+            std::find_if(codesOf.begin(), codesOf.end(), [&](const auto& each) { return each.first == why; });
+        if (same == codesOf.end())
+            same = codesOf.emplace(codesOf.end(), why, std::vector<std::string>());
+        same->second.push_back(person.code);
+    }
+    QStringList said;
+    for (const auto& [why, codes] : codesOf)
+        said << why.arg(study_report_words::codes(codes));
     return said;
 }
 
 } // namespace
 
 QString groupRule() {
-    return Words::tr("Which runs count: every run whose answers bound its value from below and from above, "
-                     "whatever other warnings it has and whether or not it is finished. Left out, from "
-                     "groups and comparisons alike, are runs whose answers do not bound the value or give "
-                     "none, runs with objects shown and not felt (unless you include them), participants who "
-                     "have withdrawn, and simulated participants where there are people.");
+    return Words::tr("Which runs count: every run whose answers rule out a threshold far below the smallest "
+                     "difference presented and one far above the largest (as a rule a tenth of it, and ten "
+                     "times it), whatever other warnings it has and whether or not it is finished. “Rule "
+                     "out” means that such a threshold explains the answers less than 15 % as well as the "
+                     "best one does. Left out, from groups and comparisons alike, are runs whose answers do "
+                     "not rule out both or give no value, runs with objects shown and not felt (unless you "
+                     "include them), participants who have withdrawn, and simulated participants where there "
+                     "are people.");
 }
 
 QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
@@ -210,8 +270,7 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
          {Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight,
           Presence::guessing, Presence::unbounded, Presence::noValue, Presence::shown, Presence::simulated,
           Presence::withdrawn})
-        if (const std::vector<std::string> codes = roll.codesOf(presence); !codes.empty())
-            said << reason(presence, roll.closed).arg(joined(codes));
+        said << reasons(roll, presence);
     const bool simulatedAlone = roll.enrolled == 0 && !roll.people.empty();
     if (!roll.closed && !simulatedAlone && roll.enrolled < roll.planned)
         said
@@ -219,13 +278,13 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
                    "So far %1 of %2 planned participants are enrolled. Enrol the others on the study's page.")
                    .arg(locale.toString(roll.enrolled), locale.toString(roll.planned));
     std::vector<std::string> open;
-    for (const session::RolledPerson& person : roll.people)
+    for (const RolledPerson& person : roll.people)
         if (person.open && person.presence == Presence::used)
             open.push_back(person.code);
     if (!open.empty())
         said << Words::tr("%1: in the group value with a run that is not finished, so the value may still "
                           "change. Resume the run under Run.")
-                    .arg(joined(open));
+                    .arg(study_report_words::codes(open));
     return said;
 }
 
@@ -250,6 +309,20 @@ QString presenceWords(Presence presence) {
     if (presence == Presence::used)
         return Words::tr("yes");
     return presence == Presence::sealed ? whyNot(presence) : Words::tr("no: %1").arg(whyNot(presence));
+}
+
+QString supportedValue(const QString& value, const psychophysics::RunEstimate& estimate, bool open) {
+    if (isSupported(estimate))
+        return markedValue(value, estimate);
+    return open ? Words::tr("no value yet") : Words::tr("no value");
+}
+
+QString supportedInterval(const QString& interval, const psychophysics::RunEstimate& estimate) {
+    return isSupported(estimate) ? interval : QStringLiteral("–");
+}
+
+QString whyNoValue(const psychophysics::RunEstimate& estimate) {
+    return isSupported(estimate) ? QString() : whyNot(session::presenceOf(estimate, true));
 }
 
 QString markedValue(const QString& value, const psychophysics::RunEstimate& estimate) {

@@ -29,6 +29,14 @@ std::vector<psychophysics::Warning> furtherWarnings(const std::vector<psychophys
 /// Whether a run is included in its group's value, for a table cell: "yes", or "no: every answer was right".
 QString presenceWords(session::Presence presence);
 
+/// A value of a run, or its interval, for tables and pages: as written (with the sign of markedValue), or
+/// that the run has none because its answers do not support it (psychophysics::usableInGroup). `open`:
+/// answers may still be added.
+QString supportedValue(const QString& value, const psychophysics::RunEstimate& estimate, bool open);
+QString supportedInterval(const QString& interval, const psychophysics::RunEstimate& estimate);
+/// Why the answers of a run support no value, in a few words; empty if they support one.
+QString whyNoValue(const psychophysics::RunEstimate& estimate);
+
 /// A value for a table, preceded by a sign if its run has warnings. NaN is unchanged.
 QString markedValue(const QString& value, const psychophysics::RunEstimate& estimate);
 /// Explains the sign.

@@ -16,7 +16,91 @@ QString pWords(double p, const QLocale& locale) {
     return p < 0.001 ? QStringLiteral("< ") + locale.toString(0.001, 'f', 3) : locale.toString(p, 'f', 3);
 }
 
+QString rangeWords(const psychophysics::Interval& interval, const QLocale& locale) {
+    if (!std::isfinite(interval.low) || !std::isfinite(interval.high))
+        return QStringLiteral("–");
+    return intervalOrUnbounded(
+        interval, QStringLiteral("%1 … %2").arg(study_report_words::number(interval.low, locale),
+                                                study_report_words::number(interval.high, locale)));
+}
+
+/// The p that decides: the one adjusted for all comparisons, where it was adjusted.
+double decidingP(const psychophysics::ConditionComparison& weber) {
+    return std::isfinite(weber.pHolm) ? weber.pHolm : weber.pValue;
+}
+
+/// "p = 0.012" or "adjusted p < 0.001".
+QString decidingWords(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
+    const double p = decidingP(weber);
+    const QString name = p == weber.pValue ? QStringLiteral("p") : Words::tr("adjusted p");
+    const QString words = pWords(p, locale);
+    return name + (words.startsWith(QLatin1Char('<')) ? QStringLiteral(" ") : QStringLiteral(" = ")) + words;
+}
+
+/// The ratio that the comparison could not have shown, with the scatter that it found.
+QString couldNotBeShown(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
+    // The interval is symmetric in the logarithm: a ratio is told from 1 where it exceeds half the width.
+    const double smallest = std::sqrt(weber.ratio95.high / weber.ratio95.low);
+    const QString people =
+        weber.paired
+            ? Words::tr("%1 participants in both conditions").arg(locale.toString(weber.participants))
+            : Words::tr("two groups of %1 and %2 participants")
+                  .arg(locale.toString(weber.first), locale.toString(weber.second));
+    if (psychophysics::isUnbounded(weber.ratio95))
+        return Words::tr("With %1, even a ratio of 10 could not have been shown.").arg(people);
+    return Words::tr("With %1, a ratio below %2 could not have been shown.")
+        .arg(people, study_report_words::number(smallest, locale));
+}
+
+QString whoIsCompared(const session::ComparedConditions& compared, const QString& first,
+                      const QString& second) {
+    if (compared.firstPeople.empty() || compared.secondPeople.empty())
+        return {};
+    return compared.weber.paired ? Words::tr("Compared in both conditions: %1.")
+                                       .arg(study_report_words::codes(compared.firstPeople))
+                                 : Words::tr("Compared in “%1” alone: %2; in “%3” alone: %4.")
+                                       .arg(first, study_report_words::codes(compared.firstPeople), second,
+                                            study_report_words::codes(compared.secondPeople));
+}
+
+QString verdictAlone(const psychophysics::ConditionComparison& weber, const QString& first,
+                     const QString& second, const QLocale& locale) {
+    constexpr double kShown = 0.05;
+    if (!std::isfinite(weber.pValue))
+        return Words::tr(
+                   "Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval "
+                   "and no p.")
+            .arg(first, second);
+    if (decidingP(weber) > kShown) {
+        const QString verdict =
+            Words::tr("No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).")
+                .arg(first, second, study_report_words::number(weber.ratio, locale),
+                     rangeWords(weber.ratio95, locale), decidingWords(weber, locale));
+        const bool holdsOne = weber.ratio95.low <= 1.0 && weber.ratio95.high >= 1.0;
+        return holdsOne ? verdict + QLatin1Char(' ') + couldNotBeShown(weber, locale) : verdict;
+    }
+    const bool larger = weber.ratio >= 1.0; // people read "1.4 times" more easily than "0.71 times"
+    const psychophysics::Interval interval =
+        larger ? weber.ratio95 : psychophysics::Interval{1.0 / weber.ratio95.high, 1.0 / weber.ratio95.low};
+    return Words::tr("The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).")
+        .arg(larger ? second : first,
+             study_report_words::number(larger ? weber.ratio : 1.0 / weber.ratio, locale),
+             larger ? first : second, rangeWords(interval, locale), decidingWords(weber, locale));
+}
+
 } // namespace
+
+QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written) {
+    return psychophysics::isUnbounded(interval) ? Words::tr("unbounded in practice: too few participants")
+                                                : written;
+}
+
+QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,
+                          const QString& second, const QLocale& locale) {
+    const QString verdict = verdictAlone(compared.weber, first, second, locale);
+    const QString who = whoIsCompared(compared, first, second);
+    return who.isEmpty() ? verdict : verdict + QLatin1Char(' ') + who;
+}
 
 std::vector<QString> comparisonHeadings(bool thresholds) {
     std::vector<QString> headings{Words::tr("Conditions"),    Words::tr("Ratio"),
@@ -30,18 +114,15 @@ std::vector<QString> comparisonHeadings(bool thresholds) {
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first,
                                    const QString& second, bool thresholds, const QLocale& locale) {
     const psychophysics::ConditionComparison& weber = compared.weber;
-    const bool known = std::isfinite(weber.ratio95.low) && std::isfinite(weber.ratio95.high);
-    std::vector<QString> cells{
-        Words::tr("%1 over %2").arg(second, first),
-        study_report_words::number(weber.ratio, locale),
-        known ? QStringLiteral("%1 … %2").arg(study_report_words::number(weber.ratio95.low, locale),
-                                              study_report_words::number(weber.ratio95.high, locale))
-              : QStringLiteral("–"),
-        pWords(weber.pValue, locale),
-        pWords(weber.pHolm, locale),
-        weber.paired ? Words::tr("%1 in both").arg(locale.toString(weber.participants))
-                     : Words::tr("two groups: %1 and %2")
-                           .arg(locale.toString(weber.second), locale.toString(weber.first))};
+    std::vector<QString> cells{Words::tr("%1 over %2").arg(second, first),
+                               study_report_words::number(weber.ratio, locale),
+                               rangeWords(weber.ratio95, locale),
+                               pWords(weber.pValue, locale),
+                               pWords(weber.pHolm, locale),
+                               weber.paired
+                                   ? Words::tr("%1 in both").arg(locale.toString(weber.participants))
+                                   : Words::tr("two groups: %1 and %2")
+                                         .arg(locale.toString(weber.second), locale.toString(weber.first))};
     if (thresholds)
         cells.push_back(pWords(compared.models.pValue, locale));
     return cells;

@@ -15,6 +15,12 @@ std::vector<QString> comparisonHeadings(bool thresholds);
 /// `first`, `second`: the names of the two conditions. Returns as many cells as there are headings.
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first,
                                    const QString& second, bool thresholds, const QLocale& locale);
+/// What the comparison shows, in a sentence: by how much the thresholds differ, or that no difference is
+/// shown and which one could have been; then whose values are compared, by code.
+QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,
+                          const QString& second, const QLocale& locale);
+/// Returns `written`, or says that an interval is unbounded in practice (psychophysics::isUnbounded).
+QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written);
 /// Explains the columns.
 QString comparisonNote(bool thresholds);
 /// The text shown while a study is blinded.

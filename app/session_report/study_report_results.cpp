@@ -67,9 +67,12 @@ void StudyReportBlocks::addGroup(std::size_t at) {
     if (std::isfinite(group.weber)) {
         pairs = {{Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
                  {Words::tr("95 % interval"),
-                  words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
+                  intervalOrUnbounded(group.weber95,
+                                      words::intervalPercent(group.weber95.low, group.weber95.high, locale))},
                  {Words::tr("95 % prediction interval"),
-                  words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)}};
+                  intervalOrUnbounded(
+                      group.prediction95,
+                      words::intervalPercent(group.prediction95.low, group.prediction95.high, locale))}};
         if (!m_data.blind())
             pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
     }
@@ -119,18 +122,21 @@ void StudyReportBlocks::addRuns(std::size_t at) {
         QStringList remarks{Words::tr("In the group value: %1.").arg(presenceWords(run.presence))};
         for (const psychophysics::Warning& warning : estimate.warnings)
             remarks << QStringLiteral("! ") + warningWords(warning);
-        rows.push_back({QString::fromStdString(run.participant.code),
-                        markedValue(words::percent(estimate.weber, locale), estimate),
-                        words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
-                        // The mark on the Weber fraction applies to the whole row.
-                        m_data.blind() ? QStringLiteral("–") : words::value(estimate.jnd, attribute, locale),
-                        std::isfinite(estimate.priorInfluence)
-                            ? words::percent(estimate.priorInfluence, locale)
-                            : QStringLiteral("–"),
-                        run.spoiled > 0 ? Words::tr("%1 (%2 repeated)")
-                                              .arg(locale.toString(run.scored), locale.toString(run.spoiled))
-                                        : locale.toString(run.scored),
-                        words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
+        const bool open = run.run.state == database::StudyRunState::open;
+        rows.push_back(
+            {QString::fromStdString(run.participant.code),
+             supportedValue(words::percent(estimate.weber, locale), estimate, open),
+             supportedInterval(words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
+                               estimate),
+             // The mark on the Weber fraction applies to the whole row.
+             m_data.blind() ? QStringLiteral("–")
+                            : supportedInterval(words::value(estimate.jnd, attribute, locale), estimate),
+             std::isfinite(estimate.priorInfluence) ? words::percent(estimate.priorInfluence, locale)
+                                                    : QStringLiteral("–"),
+             run.spoiled > 0 ? Words::tr("%1 (%2 repeated)")
+                                   .arg(locale.toString(run.scored), locale.toString(run.spoiled))
+                             : locale.toString(run.scored),
+             words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
     }
     addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"),
               Words::tr("Prior influence"), Words::tr("Scored"), Words::tr("Run"),
@@ -157,9 +163,11 @@ void StudyReportBlocks::addComparisons() {
     addMuted(groupRule());
     const bool thresholds = session::testsThresholds(analysis.comparisons);
     std::vector<std::vector<QString>> rows;
-    for (const session::ComparedConditions& each : analysis.comparisons)
-        rows.push_back(comparisonRow(each, m_data.conditionName(each.first),
-                                     m_data.conditionName(each.second), thresholds, m_theme.locale));
+    for (const session::ComparedConditions& each : analysis.comparisons) {
+        const QString first = m_data.conditionName(each.first), second = m_data.conditionName(each.second);
+        addText(comparisonVerdict(each, first, second, m_theme.locale), m_theme.font(13), m_theme.ink, 5);
+        rows.push_back(comparisonRow(each, first, second, thresholds, m_theme.locale));
+    }
     if (!rows.empty()) {
         if (thresholds)
             addTable(comparisonHeadings(thresholds), rows, {0.27, 0.09, 0.17, 0.09, 0.1, 0.17, 0.11},

@@ -5,6 +5,7 @@
 #include "session_report/study_report_text.h"
 
 #include <QDateTime>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -111,6 +112,13 @@ QString spoiled(const std::string& token) {
                                                {"withheld", Words::tr("Sealed reason")}};
     const auto found = words.find(token);
     return found == words.end() ? spaced(token) : found->second;
+}
+
+QString codes(const std::vector<std::string>& list) {
+    QStringList words;
+    for (const std::string& code : list)
+        words << QString::fromStdString(code);
+    return words.join(QStringLiteral(", "));
 }
 
 QString number(double value, const QLocale& locale) {

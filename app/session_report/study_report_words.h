@@ -8,6 +8,7 @@
 #include <QString>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace chiron::session_report {
 
@@ -22,6 +23,9 @@ QString state(database::StudyState state);
 QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
 QString spoiled(const std::string& token); ///< reason why a trial was repeated
+
+/// The codes of participants, one after another.
+QString codes(const std::vector<std::string>& list);
 
 /// A number with three significant digits; a dash if it is not finite.
 QString number(double value, const QLocale& locale);

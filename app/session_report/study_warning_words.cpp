@@ -34,11 +34,14 @@ QString ofAnswers(const Warning& warning) {
     case oneAnswer:
         return Words::tr("The same answer was given every time: it says nothing about what was felt.");
     case allRight:
-        return Words::tr("Every answer was right: the threshold is below the smallest difference, but how "
-                         "far below is not known.");
+        return Words::tr("Every answer was right: the threshold may lie below the smallest difference "
+                         "presented, but how far below is not known.");
     case chance:
         return Words::tr("The answers are no better than guessing: the threshold may be above the largest "
                          "difference presented.");
+    case tooFewToTell:
+        return Words::tr("There are too few answers to tell them from guessing: only more trials can show "
+                         "whether the difference was perceived.");
     case lapses:
         return Words::tr(
             "More than a tenth of the answers look like guesses even where the difference was easy.");

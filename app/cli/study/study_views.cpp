@@ -189,35 +189,49 @@ QString powerText(const QString& condition, const QJsonObject& json) {
     return words;
 }
 
+QString withoutValueText(const QString& condition, const ConditionPlan& plan) {
+    const QString said = QStringLiteral("%1: %2 of %3 simulated runs give no usable value")
+                             .arg(condition)
+                             .arg(plan.withoutValue)
+                             .arg(plan.runs);
+    return plan.trialsForValues > 0
+               ? said + QStringLiteral("; from about %1 trials on fewer than 1 in 20 do\n")
+                            .arg(plan.trialsForValues)
+               : said + QLatin1Char('\n');
+}
+
 /// Without simulated runs, the number of trials of a run and its duration are not known.
 QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
     const QString why = withoutSpacing(condition.task);
     const bool simulated = plan.runs > 0;
-    QJsonObject json{{"condition", text(condition.id)},
-                     {"title", english(condition.title)},
-                     {"runs", plan.runs},
-                     {"bias_log10", numberOrNull(plan.biasLog10)},
-                     {"sd_log10", numberOrNull(plan.sdLog10)},
-                     {"coverage", numberOrNull(plan.coverage)},
-                     {"trials", numberOrNull(simulated ? plan.meanTrials : std::nan(""))},
-                     {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))},
-                     {"information_per_trial",
-                      numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
-                     {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
-                     {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))},
-                     {"without_estimate", plan.withoutEstimate},
-                     {"bias_log10_error", numberOrNull(plan.biasError)},
-                     {"sd_log10_error", numberOrNull(plan.sdError)},
-                     {"coverage_error", numberOrNull(plan.coverageError)},
-                     {"trials_error", numberOrNull(plan.trialsError)},
-                     {"minutes_error", numberOrNull(plan.minutesError)},
-                     {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)},
-                                                     {"0.5", numberOrNull(plan.weber50)},
-                                                     {"0.9", numberOrNull(plan.weber90)}}},
-                     {"weber_quantiles_error", QJsonObject{{"0.1", numberOrNull(plan.weber10Error)},
-                                                           {"0.5", numberOrNull(plan.weber50Error)},
-                                                           {"0.9", numberOrNull(plan.weber90Error)}}},
-                     {"warnings", warningsJson(plan.warnings, false)}};
+    QJsonObject json{
+        {"condition", text(condition.id)},
+        {"title", english(condition.title)},
+        {"runs", plan.runs},
+        {"bias_log10", numberOrNull(plan.biasLog10)},
+        {"sd_log10", numberOrNull(plan.sdLog10)},
+        {"coverage", numberOrNull(plan.coverage)},
+        {"trials", numberOrNull(simulated ? plan.meanTrials : std::nan(""))},
+        {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))},
+        {"information_per_trial",
+         numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
+        {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
+        {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))},
+        {"without_estimate", plan.withoutEstimate},
+        {"without_value", plan.withoutValue},
+        {"trials_for_values", numberOrNull(plan.trialsForValues > 0 ? plan.trialsForValues : std::nan(""))},
+        {"bias_log10_error", numberOrNull(plan.biasError)},
+        {"sd_log10_error", numberOrNull(plan.sdError)},
+        {"coverage_error", numberOrNull(plan.coverageError)},
+        {"trials_error", numberOrNull(plan.trialsError)},
+        {"minutes_error", numberOrNull(plan.minutesError)},
+        {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)},
+                                        {"0.5", numberOrNull(plan.weber50)},
+                                        {"0.9", numberOrNull(plan.weber90)}}},
+        {"weber_quantiles_error", QJsonObject{{"0.1", numberOrNull(plan.weber10Error)},
+                                              {"0.5", numberOrNull(plan.weber50Error)},
+                                              {"0.9", numberOrNull(plan.weber90Error)}}},
+        {"warnings", warningsJson(plan.warnings, false)}};
     if (!why.isEmpty())
         json.insert("best_spacing_why", why);
     return json;
@@ -333,8 +347,9 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     double minutes = 0.0, minutesError = 0.0;
     QString words;
     for (const Condition& condition : design->conditions) {
-        const ConditionPlan plan =
+        ConditionPlan plan =
             planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
+        examineLength(plan, condition, *observer, *seed);
         QJsonObject json = planJson(condition, plan);
         if (condition.stimulus.attribute == Attribute::apex && *runs > 0) {
             const QJsonObject apex =
@@ -350,6 +365,8 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
                               shortNumber(apex["against_percent"].toDouble()),
                               shortNumber(100.0 * apex["power"].toDouble()));
         }
+        if (oftenWithoutValue(plan) && condition.stimulus.attribute != Attribute::apex)
+            words += withoutValueText(text(condition.id), plan);
         if (*powerInputs && condition.stimulus.attribute != Attribute::apex) {
             json.insert("power", powerJson(**powerInputs, plan));
             words += powerText(text(condition.id), json["power"].toObject());

@@ -3,6 +3,7 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/sound/sound_loader.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/widgets/kit.h"
 #include "session/study/presentation_order.h"
 
@@ -14,7 +15,7 @@ using State = FreezeCheck::State;
 
 namespace {
 
-constexpr int kRuns = 20;
+constexpr int kRuns = 40; // so that 1 in 20 can be told from none
 
 struct Sign {
     const char* icon;
@@ -47,6 +48,8 @@ CheckList::CheckList(AppContext& app, const psychophysics::StudyDesign& design, 
     setAccessibleName(tr("What is checked before freezing"));
     if (m_design.trial.maskingSound && !m_facts.hasSound)
         m_facts.hasSound = loadSound().output != nullptr;
+    if (!m_facts.rendersForce)
+        m_facts.rendersForce = studyDeviceRendersForce();
     showChecks();
     if (m_facts.faults.empty())
         simulate();
@@ -79,6 +82,7 @@ void CheckList::simulate() {
                 }
                 plans.push_back(
                     psychophysics::planCondition(condition, design.trial, observer, kRuns, design.seed));
+                psychophysics::examineLength(plans.back(), condition, observer, design.seed);
             }
             return plans;
         },
@@ -133,7 +137,7 @@ QWidget* CheckList::row(const FreezeCheck& check) {
     words->setAccessibleName(tr("%1, %2: %3").arg(check.title, sign.words, check.words));
     said->addWidget(words);
     row->addLayout(said, 1);
-    if (check.state == State::good || check.state == State::waiting)
+    if (check.state == State::good || check.state == State::waiting || check.tab < 0)
         return line;
     auto* go = kit::button(theme, tr("Show"), "quiet", QStringLiteral("go-next"));
     go->setObjectName(QStringLiteral("check.%1.go").arg(check.name));

@@ -3,6 +3,8 @@
 
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/plan_words.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/studies/text_claims.h"
@@ -261,6 +263,35 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
                            CheckWords::tr("More trials make it more precise; Preview shows how many."));
 }
 
+/// Whole runs without a value, in the condition where they are the most. Returns nothing if no run was
+/// simulated.
+std::optional<FreezeCheck> valuesCheck(const FreezeFacts& facts, const QLocale& locale) {
+    const FreezeCheck check =
+        checkOf("values", CheckWords::tr("Usable values"), StudyScreen::previewTab, "preview.start");
+    if (!facts.plans)
+        return found(check, State::waiting,
+                     CheckWords::tr("Simulated observers are still running through the study …"));
+    const ConditionPlan* worst = nullptr;
+    for (const ConditionPlan& plan : *facts.plans)
+        if (plan.runs > 0 && (worst == nullptr || plan.withoutValue > worst->withoutValue))
+            worst = &plan;
+    if (worst == nullptr)
+        return std::nullopt;
+    return found(check, psychophysics::oftenWithoutValue(*worst) ? State::advice : State::good,
+                 runsWithoutValueWords(*worst, locale));
+}
+
+/// The class of the device decides whether runs count. Returns nothing if nobody has looked at the device.
+std::optional<FreezeCheck> forceCheck(const FreezeFacts& facts) {
+    constexpr int kNoMatterOfTheDesign = -1;
+    const FreezeCheck check = checkOf("force", CheckWords::tr("Force"), kNoMatterOfTheDesign, "");
+    if (!facts.rendersForce)
+        return std::nullopt;
+    return *facts.rendersForce
+               ? found(check, State::good, CheckWords::tr("The device of this station renders force."))
+               : found(check, State::advice, shownOnlyWords());
+}
+
 FreezeCheck pilotCheck(const FreezeFacts& facts) {
     const FreezeCheck check = checkOf("pilot", CheckWords::tr("Pilot"), StudyScreen::checkTab, "check.pilot");
     return facts.pilots > 0
@@ -298,9 +329,13 @@ std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFac
         checks.push_back(*probe);
     if (const auto sound = maskingCheck(design, facts))
         checks.push_back(*sound);
-    for (const FreezeCheck& check :
-         {durationCheck(design, facts, locale), precisionCheck(design, facts, locale), pilotCheck(facts)})
-        checks.push_back(check);
+    if (const auto force = forceCheck(facts))
+        checks.push_back(*force);
+    checks.push_back(durationCheck(design, facts, locale));
+    checks.push_back(precisionCheck(design, facts, locale));
+    if (const auto values = valuesCheck(facts, locale))
+        checks.push_back(*values);
+    checks.push_back(pilotCheck(facts));
     return checks;
 }
 

@@ -23,7 +23,7 @@ struct FreezeCheck {
     State state = State::good;
     QString title;
     QString words; ///< the finding, and what to do
-    int tab = 0;   ///< page on which to correct it
+    int tab = 0;   ///< page on which to correct it; -1: it is no matter of the design
     int condition = -1;
     QString field; ///< empty: no particular field
 };
@@ -33,7 +33,9 @@ struct FreezeFacts {
     std::vector<DesignFault> faults;
     /// For each condition, from simulated observers; no value: not available yet.
     std::optional<std::vector<psychophysics::ConditionPlan>> plans;
-    int pilots = 0;                 ///< number of people who tried the design
+    int pilots = 0; ///< number of people who tried the design
+    /// Whether the device with which this station runs studies renders force; no value: not asked.
+    std::optional<bool> rendersForce{};
     std::optional<bool> hasSound{}; ///< whether this station has sound output; no value: not yet tested
 };
 

@@ -4,6 +4,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/plan_words.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "psychophysics/study/apex_study.h"
@@ -342,6 +343,14 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     box.layout->addWidget(
         kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."),
                    TextStyle::small, "muted"));
+    if (plan.runs > 0) {
+        const QString words = runsWithoutValueWords(plan, locale);
+        QWidget* values = psychophysics::oftenWithoutValue(plan)
+                              ? static_cast<QWidget*>(kit::notice(theme, "warning", words))
+                              : kit::label(theme, words, TextStyle::body, "muted");
+        values->setObjectName(QStringLiteral("preview.values"));
+        box.layout->addWidget(values);
+    }
     for (const psychophysics::Warning& warning : plan.warnings)
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     if (!result.curve.empty())

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/preview_work.h"
 
-#include "psychophysics/procedures/procedure_catalogue.h"
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,27 +12,13 @@ namespace {
 
 constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // shares of the design's own number of trials
 
-/// The condition with runs that end after this number of trials, replacing other stopping rules.
-Condition withTrials(Condition condition, int trials) {
-    const int each =
-        std::max(1, trials / static_cast<int>(std::max<std::size_t>(1, condition.procedures.size())));
-    for (ProcedureSpec& procedure : condition.procedures)
-        kindFor(procedure).endAfter(procedure, each);
-    return condition;
-}
-
-bool endsByTrials(const Condition& condition) {
-    return std::none_of(condition.procedures.begin(), condition.procedures.end(),
-                        [](ProcedureSpec spec) { return !kindFor(spec).endAfter(spec, 1); });
-}
-
 } // namespace
 
 core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::size_t index,
                                              const ObserverSpec& observer, int runs,
                                              const std::function<bool(double)>& progress) {
     const Condition& condition = design.conditions[index];
-    constexpr double kParts = 2.0 + kShares.size();
+    constexpr double kParts = 3.0 + kShares.size();
     if (!progress(0.0))
         return core::fail(core::ErrorCode::cancelled, "preview");
     PreviewResult result;
@@ -43,13 +26,17 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
     if (condition.stimulus.attribute == Attribute::apex)
         return result; // nothing is compared, so the expectation follows from its numbers alone
     result.plan = planCondition(condition, design.trial, observer, runs, design.seed);
+    if (!progress(2.0 / kParts))
+        return core::fail(core::ErrorCode::cancelled, "preview");
+    examineLength(result.plan, condition, observer, design.seed);
     const double trials = result.plan.meanTrials;
-    for (std::size_t i = 0; i < kShares.size() && endsByTrials(condition) && trials >= 4.0; ++i) {
-        if (!progress((2.0 + static_cast<double>(i)) / kParts))
+    for (std::size_t i = 0; i < kShares.size() && trials >= 4.0; ++i) {
+        if (!progress((3.0 + static_cast<double>(i)) / kParts))
             return core::fail(core::ErrorCode::cancelled, "preview");
-        const int count = static_cast<int>(std::lround(trials * kShares[i]));
-        const ConditionPlan plan =
-            planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed);
+        const auto of = withTrials(condition, static_cast<int>(std::lround(trials * kShares[i])));
+        if (!of)
+            break;
+        const ConditionPlan plan = planCondition(*of, design.trial, observer, runs, design.seed);
         if (!std::isfinite(plan.biasLog10) || !std::isfinite(plan.sdLog10))
             continue;
         result.curve.push_back({plan.meanTrials, plan.weber50, plan.weber10, plan.weber90, plan.weber50Error,

@@ -35,6 +35,12 @@ void ComparisonPage::fill(QVBoxLayout& layout) {
         return say(tr("This study has only one condition, so there is nothing to compare it with."));
     if (m_facts.study.blind())
         return say(session_report::comparisonSealed());
+    for (const session::ComparedConditions& each : m_facts.comparisons) {
+        auto* verdict = kit::label(theme, session_report::comparisonVerdict(
+                                              each, name(each.first), name(each.second), m_app.locale()));
+        verdict->setObjectName(QStringLiteral("data.verdict"));
+        layout.addWidget(verdict);
+    }
     if (!m_facts.comparisons.empty()) {
         layout.addWidget(table());
         layout.addWidget(

@@ -34,7 +34,6 @@ enum Column {
 };
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
-constexpr double kUnknownFactor = 50.0; // ratio of the ends above which an interval is uninformative
 } // namespace
 
 GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condition, QWidget* parent)
@@ -102,9 +101,9 @@ QStringList GroupPage::weberWords(const psychophysics::GroupEstimate& group) con
         study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
     QStringList words{tr("Weber fraction (random effects)")};
     if (!interval.isEmpty())
-        words << tr("95 %: %1").arg(interval);
+        words << tr("95 %: %1").arg(session_report::intervalOrUnbounded(group.weber95, interval));
     // With three people it may extend from zero to 5,000 %.
-    if (group.prediction95.high > kUnknownFactor * group.prediction95.low)
+    if (psychophysics::isUnbounded(group.prediction95))
         words << tr("too few participants for a prediction");
     else if (!next.isEmpty())
         words << tr("prediction for a new participant: %1").arg(next);
@@ -216,14 +215,18 @@ QWidget* GroupPage::tableBox() {
             item->setData(Qt::UserRole, qlonglong(run.run.id));
             table->setItem(row, column, item);
         };
+        const bool open = run.run.state == database::StudyRunState::open;
         put(codeColumn, QString::fromStdString(m_facts.study.participants[run.participant].participant.code));
-        put(weberColumn,
-            session_report::markedValue(study_words::percent(run.estimate.weber, locale), run.estimate));
+        put(weberColumn, session_report::supportedValue(study_words::percent(run.estimate.weber, locale),
+                                                        run.estimate, open));
         put(intervalColumn,
-            study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
-        put(jndColumn, sealed ? tr("sealed")
-                              : session_report::markedValue(
-                                    study_words::value(run.estimate.jnd, attribute, locale), run.estimate));
+            session_report::supportedInterval(
+                study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale),
+                run.estimate));
+        put(jndColumn,
+            sealed ? tr("sealed")
+                   : session_report::supportedValue(study_words::value(run.estimate.jnd, attribute, locale),
+                                                    run.estimate, open));
         put(groupColumn, session_report::presenceWords(run.presence));
         put(trialsColumn,
             run.spoiled > 0

@@ -96,14 +96,32 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         grid->cell(part);
     };
     const auto marked = [&](const QString& value) { return session_report::markedValue(value, estimate); };
-    fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)),
-         study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    const QString whyNone = session_report::whyNoValue(estimate);
+    if (whyNone.isEmpty()) {
+        fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)),
+             study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    } else { // what stands in the estimate comes from the prior
+        auto* none = new QWidget;
+        none->setObjectName(QStringLiteral("data.no_value"));
+        auto* column = new QVBoxLayout(none);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(kit::label(theme, tr("Weber fraction"), TextStyle::small, "muted"));
+        column->addWidget(kit::label(
+            theme,
+            session_report::supportedValue({}, estimate, run.run.state == database::StudyRunState::open),
+            TextStyle::title));
+        column->addWidget(kit::label(theme, whyNone, TextStyle::small, "muted"));
+        grid->cell(none);
+    }
     if (!m_facts.study.blind() && condition) {
         const psychophysics::StimulusDesign& stimulus = condition->stimulus;
         const double perWeber = stimulus.reference * study_words::unitOf(stimulus.attribute).factor;
-        fact(
-            tr("JND at the reference"), marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
-            study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
+        if (whyNone.isEmpty())
+            fact(tr("JND at the reference"),
+                 marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
+                 study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber,
+                                       locale));
         if (std::isfinite(estimate.pse)) {
             const double factor = study_words::unitOf(stimulus.attribute).factor;
             fact(tr("Point of subjective equality"),
@@ -111,10 +129,12 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                  study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
         }
     }
-    fact(tr("Internal noise"), study_words::percent(study_words::ratioOf(estimate.sigma_log10), locale),
-         study_words::intervalPercent(study_words::ratioOf(estimate.sigma95.low),
-                                      study_words::ratioOf(estimate.sigma95.high), locale),
-         tr("How much the same object feels different from one time to the next (one standard deviation)."));
+    if (whyNone.isEmpty())
+        fact(tr("Internal noise"), study_words::percent(study_words::ratioOf(estimate.sigma_log10), locale),
+             study_words::intervalPercent(study_words::ratioOf(estimate.sigma95.low),
+                                          study_words::ratioOf(estimate.sigma95.high), locale),
+             tr("How much the same object feels different from one time to the next (one standard "
+                "deviation)."));
     if (std::isfinite(estimate.tie))
         fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale),
              study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));

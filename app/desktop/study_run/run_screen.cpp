@@ -5,6 +5,7 @@
 #include "desktop/studies/consent_dialog.h"
 #include "desktop/studies/enrol_dialog.h"
 #include "desktop/studies/participant_progress.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -168,12 +169,25 @@ void RunScreen::showParticipant() {
     auto* column = new QVBoxLayout(m_shown);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context().theme().px(16));
-    if (QWidget* notice = soundNotice())
-        column->addWidget(notice);
+    for (QWidget* notice : {shownNotice(), soundNotice()})
+        if (notice)
+            column->addWidget(notice);
     column->addWidget(participantBox());
     if (QWidget* left = leftBox())
         column->addWidget(left);
     m_holder->addWidget(m_shown);
+}
+
+/// Whoever has done everything needs no such notice any more.
+QWidget* RunScreen::shownNotice() {
+    const ParticipantRow* row = participant();
+    const bool toCome = row && (row->participant.state == database::ParticipantState::enrolled ||
+                                row->participant.state == database::ParticipantState::consented);
+    if (!toCome || studyDeviceRendersForce())
+        return nullptr;
+    auto* notice = kit::notice(context().theme(), "info", shownOnlyWords());
+    notice->setObjectName(QStringLiteral("run.shown"));
+    return notice;
 }
 
 /// Shown here to the experimenter, because it does not belong on the participant's page.

@@ -48,6 +48,8 @@ private:
     void addEnrol(QVBoxLayout& layout, bool first); ///< `first`: nothing else is left to do on this screen
     void enrol();
     void askConsent(const database::Participant& participant);
+    /// The notice for a device that renders no force; otherwise null.
+    QWidget* shownNotice();
     /// The notice for a study with masking sound on a computer without sound output; otherwise null.
     QWidget* soundNotice();
     QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress,

@@ -5,6 +5,8 @@
 #include "session/study/study_analysis.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace chiron::session {
 
@@ -59,6 +61,32 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed) 
     return usable == psychophysics::Usable::priorMadeIt ? Presence::unbounded : Presence::noValue;
 }
 
+Remedy remedyFor(const psychophysics::RunEstimate& estimate, Presence presence,
+                 const std::vector<double>& differences) {
+    const bool open =
+        presence == Presence::allRight || presence == Presence::guessing || presence == Presence::unbounded;
+    if (!open)
+        return Remedy::none;
+    const bool low =
+        presence == Presence::allRight || hasWarning(estimate.warnings, WarningKind::priorEdgeLow);
+    const bool high = hasWarning(estimate.warnings, WarningKind::priorEdgeHigh);
+    if (hasWarning(estimate.warnings, WarningKind::fewTrials) || low == high || differences.empty() ||
+        estimate.points.empty())
+        return Remedy::moreTrials;
+    constexpr double kSame = 1e-9; // differences are presented as they stand in the table
+    const auto size = [](const psychophysics::CurvePoint& point) { return std::abs(point.difference); };
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (const psychophysics::CurvePoint& point : estimate.points) {
+        if (size(point) > 0.0)
+            smallest = std::min(smallest, size(point));
+        largest = std::max(largest, size(point));
+    }
+    const bool unused = std::any_of(differences.begin(), differences.end(), [&](double difference) {
+        return difference > 0.0 && (low ? difference < smallest - kSame : difference > largest + kSame);
+    });
+    return unused ? Remedy::unusedDifferences : Remedy::otherDifferences;
+}
+
 int GroupRoll::used() const {
     return static_cast<int>(std::count_if(people.begin(), people.end(), [](const RolledPerson& each) {
         return each.presence == Presence::used;
@@ -93,15 +121,18 @@ GroupRoll groupRoll(const std::vector<database::Participant>& participants,
     for (const database::Participant& participant : participants) {
         const bool withdrawn = participant.state == database::ParticipantState::withdrawn;
         roll.enrolled += participant.simulated || withdrawn ? 0 : 1;
-        RolledPerson person{participant.code, withdrawn ? Presence::withdrawn : Presence::notBegun, false};
+        RolledPerson person{participant.code, withdrawn ? Presence::withdrawn : Presence::notBegun};
         bool any = false;
         for (const AnalysedRun& run : runs) {
             if (run.participant.id != participant.id)
                 continue;
             any = true;
             person.open = person.open || run.run.state == database::StudyRunState::open;
-            if (person.presence != Presence::used)
-                person.presence = run.presence;
+            if (person.presence == Presence::used)
+                continue;
+            person.presence = run.presence;
+            person.remedy = run.remedy;
+            person.guesses = hasWarning(run.estimate.warnings, WarningKind::chance);
         }
         if (any || !participant.simulated)
             roll.people.push_back(std::move(person));

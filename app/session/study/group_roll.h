@@ -20,8 +20,8 @@ enum class Presence : std::uint8_t {
     notBegun,
     noAnswers,  ///< begun, but no answer counts yet
     unfinished, ///< no value: the run was broken off, and its few answers are not conclusive
-    allRight,   ///< no value: the threshold is below the presented differences
-    guessing,   ///< no value: the answers are like guesses, so the threshold could be arbitrarily large
+    allRight,   ///< no value: every answer was right, so the threshold could be arbitrarily small
+    guessing,   ///< no value: a threshold far above the presented differences is not ruled out
     unbounded,  ///< no value for another reason: it would come from the prior
     noValue,    ///< the answers give no value
     shown,      ///< left out: force was shown, not felt
@@ -32,6 +32,19 @@ enum class Presence : std::uint8_t {
 /// The stable name in data: "used", "not_begun".
 std::string_view presenceToken(Presence presence);
 
+/// What would help a run whose answers leave its value open.
+enum class Remedy : std::uint8_t {
+    none,              ///< it has a value, or this does not help
+    moreTrials,        ///< there are fewer answers than a value needs
+    unusedDifferences, ///< the table has differences on that side which were never presented
+    otherDifferences,  ///< the table ends there: other differences are needed
+};
+
+/// The remedy for a run of a condition with this table of differences (ascending). The number of answers is
+/// looked at first, then what the table offers beyond the differences presented.
+Remedy remedyFor(const psychophysics::RunEstimate& estimate, Presence presence,
+                 const std::vector<double>& differences);
+
 /// For a run whose estimate belongs to the group: whether the group's value uses it, or why not. Never
 /// returns notBegun or one of the left-out values. `completed`: the run reached its end.
 Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed);
@@ -40,6 +53,8 @@ struct RolledPerson {
     std::string code;
     Presence presence = Presence::notBegun; ///< of several runs, the most informative value
     bool open = false;                      ///< a run is not finished
+    Remedy remedy = Remedy::none;           ///< of the run that gives `presence`
+    bool guesses = false;                   ///< its answers are no better than guessing
 };
 
 /// Everybody who could be included in a condition's group value.

@@ -125,6 +125,8 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
             continue;
         run.pooled = true;
         run.presence = presenceIn(run);
+        if (designed)
+            run.remedy = remedyFor(run.estimate, run.presence, designed->stimulus.differences);
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
         notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
@@ -273,7 +275,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
                                    study->design.participantsPlanned);
         if (study->sealed())
             for (RolledPerson& person : condition.roll.people)
-                person = {person.code, Presence::sealed, false};
+                person = {person.code, Presence::sealed};
         if (designed && looksForApex(*designed))
             poolApex(condition, designed->stimulus.reference,
                      core::Random::mix(seed, "apex " + condition.condition));

@@ -27,6 +27,7 @@ struct AnalysedRun {
     std::optional<bool> felt; ///< false if any trial was only shown; empty if nothing was rendered
     bool pooled = true;       ///< the run belongs to the group if it has an estimate
     Presence presence = Presence::noValue; ///< whether the group's value uses it, or why not
+    Remedy remedy = Remedy::none;          ///< what would give it a value
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
     std::optional<psychophysics::ApexSummary> apex; ///< study of the apex: this run's marks alone

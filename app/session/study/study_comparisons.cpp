@@ -56,6 +56,7 @@ std::map<std::string, RunEstimate> byParticipant(const AnalysedCondition& condit
 struct Pair {
     std::vector<RunEstimate> first, second; ///< those who did both, in the same order
     std::vector<RunEstimate> onlyFirst, onlySecond;
+    std::vector<std::string> both, codesFirst, codesSecond; ///< their codes, in the same order
 };
 
 Pair paired(const std::map<std::string, RunEstimate>& first,
@@ -65,13 +66,17 @@ Pair paired(const std::map<std::string, RunEstimate>& first,
         if (const auto other = second.find(code); other != second.end()) {
             pair.first.push_back(estimate);
             pair.second.push_back(other->second);
+            pair.both.push_back(code);
         } else {
             pair.onlyFirst.push_back(estimate);
+            pair.codesFirst.push_back(code);
         }
     }
     for (const auto& [code, estimate] : second)
-        if (!first.contains(code))
+        if (!first.contains(code)) {
             pair.onlySecond.push_back(estimate);
+            pair.codesSecond.push_back(code);
+        }
     return pair;
 }
 
@@ -109,8 +114,11 @@ std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint
                     core::Random::mix(seed, "comparison " + std::to_string(i) + " " + std::to_string(j)));
                 each.models = psychophysics::compareThresholdModels(taskOf(study, i), pair.first,
                                                                     taskOf(study, j), pair.second);
+                each.firstPeople = each.secondPeople = pair.both;
             } else {
                 each.weber = psychophysics::compareGroups(pair.onlyFirst, pair.onlySecond);
+                each.firstPeople = pair.codesFirst;
+                each.secondPeople = pair.codesSecond;
             }
             if (std::isfinite(each.weber.ratio))
                 compared.push_back(std::move(each));

@@ -5,6 +5,7 @@
 #include "psychophysics/study/study_design.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace chiron::session {
@@ -19,6 +20,8 @@ struct ComparedConditions {
     /// what came next: an adaptive run hardly determines the slope, and with a free slope the likelihood
     /// ratio is far from chi-square.
     psychophysics::ThresholdModels models;
+    /// The codes of the people whose values are compared; paired: the same people in both.
+    std::vector<std::string> firstPeople{}, secondPeople{};
 };
 
 /// True if the answers decide which difference comes next.

@@ -101,8 +101,11 @@ std::optional<WarningKind> concernsTheAnswers(const std::string& warning) {
 }
 
 void addWarnings(RunEstimate& result, const FitResult& fit) {
+    // Answers too few to tell from guessing do not show that there is no threshold either.
+    const bool untold = hasWarning(result.warnings, WarningKind::tooFewToTell);
     for (const std::string& warning : fit.warnings)
-        if (const auto kind = concernsTheAnswers(warning); kind && !hasWarning(result.warnings, *kind))
+        if (const auto kind = concernsTheAnswers(warning);
+            kind && !hasWarning(result.warnings, *kind) && !(untold && *kind == WarningKind::noRise))
             result.warnings.push_back({*kind});
     if (result.pValue < kPoorFit)
         result.warnings.push_back({WarningKind::poorFit});

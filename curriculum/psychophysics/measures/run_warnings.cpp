@@ -39,24 +39,6 @@ double chanceOf(Task task) {
     return 1.0 / (ranksThree(task) ? kStrictRankings : psychophysics::answers(task));
 }
 
-void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers) {
-    if (task == Task::yesNo || task == Task::sameDifferent) {
-        const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(),
-                                           [](const CurvePoint& p) { return p.right == 0; }) ||
-                               std::all_of(answers.points.begin(), answers.points.end(),
-                                           [](const CurvePoint& p) { return p.right == p.of; });
-        if (oneAnswer)
-            warnings.push_back({WarningKind::oneAnswer});
-        return;
-    }
-    if (answers.right == answers.used) {
-        warnings.push_back({WarningKind::allRight});
-        return;
-    }
-    if (binomialUpperTail(answers.right, answers.used, chanceOf(task)) > 0.05)
-        warnings.push_back({WarningKind::chance});
-}
-
 /// Returns whether the answers jump from never better than chance to always right, with nothing between.
 bool isStep(const ScoredAnswers& answers, double chance) {
     std::size_t wrong = 0;
@@ -66,6 +48,53 @@ bool isStep(const ScoredAnswers& answers, double chance) {
         return false;
     return std::all_of(answers.points.begin() + static_cast<std::ptrdiff_t>(wrong), answers.points.end(),
                        [](const CurvePoint& point) { return point.right == point.of; });
+}
+
+/// What the number of right answers says about guessing.
+enum class Level {
+    better,   ///< guessing is refuted
+    guessing, ///< guessing is not refuted, and a clear advantage over it is
+    untold    ///< neither is: there are too few answers
+};
+
+/// A clear advantage is a proportion correct half-way between guessing and always right, which is 75 % in
+/// 2AFC. Both tests are one-sided and exact, at 5 %.
+Level levelOf(const ScoredAnswers& answers, double chance) {
+    constexpr double kLevel = 0.05;
+    if (binomialUpperTail(answers.right, answers.used, chance) <= kLevel)
+        return Level::better;
+    const double halfway = 0.5 * (1.0 + chance);
+    return binomialLowerTail(answers.right, answers.used, halfway) <= kLevel ? Level::guessing
+                                                                             : Level::untold;
+}
+
+void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers) {
+    if (task == Task::yesNo || task == Task::sameDifferent) {
+        const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(),
+                                           [](const CurvePoint& p) { return p.right == 0; }) ||
+                               std::all_of(answers.points.begin(), answers.points.end(),
+                                           [](const CurvePoint& p) { return p.right == p.of; });
+        if (oneAnswer)
+            warnings.push_back({WarningKind::oneAnswer});
+        if (isStep(answers, chanceOf(task)))
+            warnings.push_back({WarningKind::stepFunction});
+        return;
+    }
+    if (answers.right == answers.used)
+        warnings.push_back({WarningKind::allRight});
+    switch (levelOf(answers, chanceOf(task))) {
+    case Level::guessing:
+        warnings.push_back({WarningKind::chance});
+        break;
+    case Level::untold:
+        warnings.push_back({WarningKind::tooFewToTell});
+        break;
+    case Level::better:
+        // Only answers that are better than guessing can become so at some difference.
+        if (isStep(answers, chanceOf(task)))
+            warnings.push_back({WarningKind::stepFunction});
+        break;
+    }
 }
 
 void warnOfEnd(std::vector<Warning>& warnings, double density, WarningKind edge, WarningKind bound) {
@@ -88,11 +117,9 @@ void warnOfPosterior(std::vector<Warning>& warnings, const ThurstonePosterior& p
 void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers,
                    const ThurstonePosterior& posterior) {
     warnOfSize(warnings, answers);
-    if (answers.used == 0)
+    if (answers.used == 0 || answers.levels == 0) // nothing more is said of nothing
         return;
     warnOfLevel(warnings, task, answers);
-    if (isStep(answers, chanceOf(task)))
-        warnings.push_back({WarningKind::stepFunction});
     if (posterior.known)
         warnOfPosterior(warnings, posterior);
 }

@@ -7,6 +7,8 @@
 #include "psychophysics/measures/sample_moments.h"
 #include "psychophysics/planning/fisher_information.h"
 #include "psychophysics/planning/run_simulator.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
+#include "psychophysics/study/group_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +19,8 @@ namespace chiron::psychophysics {
 
 namespace {
 
+constexpr int kFewWithoutValue = 20; ///< one run in so many
+constexpr double kMostTrialsExamined = 100.0;
 constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
 /// The exercise's scripted operators take 20 to 33 s (modules/exercises/sphere_apex/operators).
@@ -62,6 +66,7 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
         const std::vector<ScoredTrial> scored = simulator->run(observer, runSeed);
         trials.push_back(static_cast<double>(scored.size()));
         const RunEstimate estimate = estimateRun(condition, scored, runSeed);
+        plan.withoutValue += usableInGroup(estimate) == Usable::yes ? 0 : 1;
         if (!std::isfinite(estimate.sigma_log10) || !(estimate.sigma_log10 > 0.0)) {
             ++plan.withoutEstimate;
             continue;
@@ -71,6 +76,10 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
         covered += estimate.weber95.low <= observer.weber && observer.weber <= estimate.weber95.high ? 1 : 0;
     }
     summarise(plan, offs, std::move(webers), trials, covered);
+}
+
+std::uint64_t seedOf(const Condition& condition, std::uint64_t seed) {
+    return core::Random::mix(seed, "condition " + condition.id);
 }
 
 /// Integrates over 0..end by Simpson's rule.
@@ -135,7 +144,7 @@ ConditionPlan planCondition(const Condition& condition, const TrialRules& rules,
         row >= 0)
         plan.bestDifference = condition.stimulus.differences[static_cast<std::size_t>(row)];
     if (plan.runs > 0)
-        simulate(plan, condition, observer, core::Random::mix(seed, "condition " + condition.id));
+        simulate(plan, condition, observer, seedOf(condition, seed));
     plan.minutes = minutesOf(condition, rules, plan.meanTrials);
     plan.minutesError = 0.5 * (minutesOf(condition, rules, plan.meanTrials + plan.trialsError) -
                                minutesOf(condition, rules, plan.meanTrials - plan.trialsError));
@@ -145,6 +154,38 @@ ConditionPlan planCondition(const Condition& condition, const TrialRules& rules,
     if (plan.withoutEstimate > 0)
         plan.warnings.push_back({WarningKind::runsWithoutEstimate, plan.withoutEstimate, plan.runs});
     return plan;
+}
+
+bool oftenWithoutValue(const ConditionPlan& plan) noexcept {
+    return plan.withoutValue > 0 && kFewWithoutValue * plan.withoutValue >= plan.runs;
+}
+
+std::optional<Condition> withTrials(Condition condition, int trials) {
+    const int procedures = std::max(1, static_cast<int>(condition.procedures.size()));
+    for (ProcedureSpec& procedure : condition.procedures)
+        if (!kindFor(procedure).endAfter(procedure, std::max(1, trials / procedures)))
+            return std::nullopt;
+    return condition;
+}
+
+void examineLength(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
+                   std::uint64_t seed) {
+    constexpr double kLonger = 1.5;
+    if (!oftenWithoutValue(plan) || condition.stimulus.attribute == Attribute::apex) // marks have no value
+        return;
+    for (double trials = kLonger * plan.meanTrials; trials > 1.0 && trials <= kMostTrialsExamined;
+         trials *= kLonger) {
+        const auto longer = withTrials(condition, static_cast<int>(std::lround(trials)));
+        if (!longer)
+            return;
+        ConditionPlan again;
+        again.runs = plan.runs;
+        simulate(again, *longer, observer, seedOf(condition, seed));
+        const bool enough = again.runs > 0 && !oftenWithoutValue(again);
+        if (enough && plan.trialsForValues > 0)
+            return; // the length before was no chance
+        plan.trialsForValues = enough ? static_cast<int>(std::lround(again.meanTrials)) : 0;
+    }
 }
 
 double power(const PowerQuestion& question) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,14 @@ namespace chiron::psychophysics {
 /// Expectations for one condition, from simulated observers without rendering (real observers add the noise
 /// of exploration).
 struct ConditionPlan {
-    int runs = 0;                                                ///< number of simulated runs
-    int withoutEstimate = 0;                                     ///< of these, runs without a Weber fraction
+    int runs = 0;            ///< number of simulated runs
+    int withoutEstimate = 0; ///< of these, runs without a Weber fraction
+    /// Of the runs, those that a group would leave out because their answers support no value
+    /// (usableInGroup).
+    int withoutValue = 0;
+    /// The number of trials from which on fewer than 1 in 20 runs are without a value; 0: not examined
+    /// (examineLength), not needed, or none found.
+    int trialsForValues = 0;
     double biasLog10 = std::numeric_limits<double>::quiet_NaN(); ///< mean of log10(estimated/true JND)
     double sdLog10 = std::numeric_limits<double>::quiet_NaN();   ///< standard deviation of the same between
                                                                  ///< runs
@@ -56,6 +63,20 @@ double minutesOf(const Condition& condition, const TrialRules& rules, double tri
 /// its id and the seed. It never fails: `warnings` say what cannot be simulated.
 ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer,
                             int runs, std::uint64_t seed);
+
+/// Returns whether 1 in 20 simulated runs or more are without a value.
+bool oftenWithoutValue(const ConditionPlan& plan) noexcept;
+
+/// Returns the condition with runs of about this many trials, instead of its own rules for stopping; nothing
+/// if a procedure's rule does not allow that.
+std::optional<Condition> withTrials(Condition condition, int trials);
+
+/// Fills in trialsForValues of the condition's plan: simulates as many runs again with half as many trials
+/// more, and so on up to 100 trials, until fewer than 1 in 20 are without a value at two lengths in
+/// succession; the first of them is taken. Does nothing if fewer are so already. `observer` and `seed`: those
+/// of planCondition.
+void examineLength(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
+                   std::uint64_t seed);
 
 /// Describes a comparison of JNDs between two conditions (each participant does both) or between two groups.
 struct PowerQuestion {

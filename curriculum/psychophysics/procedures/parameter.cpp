@@ -77,7 +77,9 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
                             .description = "at most this many scored trials.",
                             .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
                             .meaning = QT_TRANSLATE_NOOP(
-                                "Procedures", "The run ends after this number of trials at the latest."),
+                                "Procedures", "The run ends after this number of trials at the latest; 0: no "
+                                              "limit. With fewer than 20 trials, runs are marked as short, "
+                                              "and many give no usable value."),
                             .usual = UsualValue{}}));
     Parameter reversals{.key = "reversals",
                         .maximum = kMostTrialsOfStop,
@@ -88,7 +90,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         reversals.meaning =
             QT_TRANSLATE_NOOP("Procedures", "The run ends once the direction has changed this many times; 0: "
                                             "only the number of trials ends it.");
-        reversals.usual = UsualValue{12};
+        reversals.usual = UsualValue{};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
     Parameter fewest{.key = "minimum_trials",
@@ -103,8 +105,9 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
         fewest.meaning = QT_TRANSLATE_NOOP(
-            "Procedures", "The run does not end before this number of trials, however sure the estimate is.");
-        fewest.usual = UsualValue{20};
+            "Procedures", "The run does not end earlier, however sure the estimate is; 0: no "
+                          "minimum. It matters only where a precision ends the run.");
+        fewest.usual = UsualValue{}; // 20 for rankings; others end by their number of trials alone
         sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop at this precision");
         sd.meaning = QT_TRANSLATE_NOOP(
             "Procedures",

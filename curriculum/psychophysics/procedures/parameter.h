@@ -38,7 +38,8 @@ struct ParameterWord {
     std::string_view title{}; ///< for people; English, marked for translation; empty: never offered
 };
 
-/// The usual value, which is shown beside a field together with the allowed range, in the field's unit.
+/// The usual value, which is shown beside a field together with the allowed range, in the field's unit. It is
+/// the one that a new procedure begins with, so that a field never stands beside another number.
 struct UsualValue {
     std::optional<double> value{}; ///< none: the value that a new procedure has in this condition
 };

@@ -97,7 +97,7 @@ std::vector<Parameter> questPlusRows() {
              .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
              .meaning = QT_TRANSLATE_NOOP(
                  "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
-             .usual = UsualValue{4}}),
+             .usual = UsualValue{}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",
                .quantity = Quantity::share,

@@ -27,7 +27,7 @@ std::vector<Parameter> rank3Rows() {
          .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
          .meaning = QT_TRANSLATE_NOOP(
              "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
-         .usual = UsualValue{4}})};
+         .usual = UsualValue{}})};
     // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
     std::vector<Parameter> rest{

@@ -17,6 +17,7 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr int kFewParticipants = 6;
+constexpr double kTellsNothing = 100.0; ///< ratio of the ends: even a tenfold difference is within
 constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75)
 
 /// log10 W of one participant and its variance.
@@ -141,6 +142,10 @@ Usable usableInGroup(const RunEstimate& run) {
     if (!hasWeber(run))
         return Usable::noValue;
     return priorMadeIt(run) ? Usable::priorMadeIt : Usable::yes;
+}
+
+bool isUnbounded(const Interval& interval) noexcept {
+    return interval.high >= kTellsNothing * interval.low;
 }
 
 GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t seed) {

@@ -18,6 +18,10 @@ enum class Usable : std::uint8_t {
 };
 Usable usableInGroup(const RunEstimate& run);
 
+/// Whether the ends of an interval of a group, or of a ratio, differ so much (by a factor of 100 and more)
+/// that it tells nothing: there are too few participants. False for an interval that is not known.
+bool isUnbounded(const Interval& interval) noexcept;
+
 /// One participant in a group estimate.
 struct GroupMember {
     int index = 0; ///< index among the estimates given

@@ -25,7 +25,7 @@ constexpr std::array<std::pair<WarningKind, std::string_view>, static_cast<std::
          "binned: very many different differences were presented; neighbouring ones were put together"},
         {WarningKind::oneAnswer,
          "one_answer: the same answer was given every time; the data say nothing about sensitivity"},
-        {WarningKind::allRight, "all_right: every answer was right; the threshold is below the smallest "
+        {WarningKind::allRight, "all_right: every answer was right; the threshold may be below the smallest "
                                 "difference, how far is not known"},
         {WarningKind::chance,
          "chance: no better than guessing; the threshold may be above the largest difference presented"},
@@ -105,6 +105,7 @@ constexpr std::array<std::pair<WarningKind, std::string_view>, static_cast<std::
         {WarningKind::shownLeftOut,
          "shown_left_out: @ to whom objects were shown, not felt, left out of the group"},
         {WarningKind::shownInGroup, "shown_in_group: the group holds @ to whom objects were shown, not felt"},
+        {WarningKind::tooFewToTell, "too_few_to_tell: too few answers to tell them from guessing"},
     }};
 
 constexpr bool inOrder() {

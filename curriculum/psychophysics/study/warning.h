@@ -77,7 +77,8 @@ enum class WarningKind : std::uint8_t {
     shownRun,
     shownLeftOut,
     shownInGroup,
-    end, ///< not a warning: the number of kinds
+    tooFewToTell, ///< of a run: guessing is not refuted, and neither is a clear advantage over it
+    end,          ///< not a warning: the number of kinds
 };
 
 struct Warning {

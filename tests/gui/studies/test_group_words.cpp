@@ -58,7 +58,46 @@ private slots:
     void whatAComparisonLacksIsSaid();
     void oneRuleForGroupsAndComparisons();
     void doubtIsSeen();
+    void adviceFollowsFromTheCause();
+    void theTaskIsDoubtedOnlyOfGuessers();
+    void verdictsSayNoMoreThanTheNumbers();
+    void whoIsComparedIsNamed();
+    void aValueFromThePriorIsNone();
 };
+
+namespace {
+
+/// A run of `trials` answers between 4 and 15 %, in a table from 2 to 60 %.
+psychophysics::RunEstimate presented(int trials, std::vector<psychophysics::Warning> warnings,
+                                     double smallest = 0.04, double largest = 0.15) {
+    if (trials < 20)
+        warnings.push_back({WarningKind::fewTrials, trials});
+    psychophysics::RunEstimate estimate = estimateWith(0.1, std::move(warnings));
+    estimate.trials = trials;
+    estimate.points = {{smallest, 1, 2}, {largest, trials - 2, trials - 2}};
+    return estimate;
+}
+
+session::Remedy remedyOf(const psychophysics::RunEstimate& estimate) {
+    return session::remedyFor(estimate, session::presenceOf(estimate, true), {0.02, 0.04, 0.15, 0.6});
+}
+
+/// Two conditions done by A and B, with this interval of the ratio.
+session::ComparedConditions comparedBy(double ratio, double low, double high, double p) {
+    session::ComparedConditions compared{0, 1, {}, {}};
+    compared.weber.ratio = ratio;
+    compared.weber.ratio95 = {low, high};
+    compared.weber.pValue = compared.weber.pHolm = p;
+    compared.weber.participants = compared.weber.first = compared.weber.second = 2;
+    compared.firstPeople = compared.secondPeople = {"A", "B"};
+    return compared;
+}
+
+QString verdictOf(const session::ComparedConditions& compared) {
+    return session_report::comparisonVerdict(compared, nameOf(0), nameOf(1), kEnglish);
+}
+
+} // namespace
 
 void TestGroupWords::everybodyIsNamedOnce() {
     session::GroupRoll roll;
@@ -93,11 +132,12 @@ void TestGroupWords::whoBreaksOffIsNotFinished() {
     QCOMPARE(session::presenceOf(few, false), Presence::unfinished);
     QCOMPARE(session::presenceOf(estimateWith(0.1, {}), false),
              Presence::used); // enough to bound it: used, and said to be able to change
-    QCOMPARE(session_report::presenceWords(Presence::unfinished), QStringLiteral("no: not finished"));
+    QCOMPARE(session_report::presenceWords(Presence::unfinished),
+             QStringLiteral("no: the answers give no value yet")); // the rule asks for nothing more
     session::GroupRoll roll = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}});
     QVERIFY(session_report::groupSentences(roll, kEnglish)
                 .join(u' ')
-                .contains(QStringLiteral("B: the run is not finished")));
+                .contains(QStringLiteral("B: the answers give no value yet. The run is not finished")));
     roll.closed = true;
     QVERIFY(session_report::groupSentences(roll, kEnglish)
                 .join(u' ')
@@ -270,7 +310,8 @@ void TestGroupWords::oneRuleForGroupsAndComparisons() {
              Presence::guessing);
     QVERIFY(!session_report::presenceWords(Presence::guessing)
                  .contains(QStringLiteral("guess"))); // what leaves it out is the end of the value
-    QVERIFY(session_report::groupRule().contains(QStringLiteral("bound its value")));
+    QVERIFY(session_report::groupRule().contains(QStringLiteral("rule out a threshold far below")));
+    QVERIFY(session_report::groupRule().contains(QStringLiteral("whether or not it is finished")));
 
     // A and B did both conditions; B's answers do not bound the second value. C did the second alone.
     session::StudyAnalysis study;
@@ -302,6 +343,8 @@ void TestGroupWords::oneRuleForGroupsAndComparisons() {
     QVERIFY(!compared.front().weber.paired); // only A has a value in both: two groups, of B and of C
     QCOMPARE(compared.front().weber.first, 1);
     QCOMPARE(compared.front().weber.second, 1);
+    QVERIFY(compared.front().firstPeople == std::vector<std::string>{"B"} &&
+            compared.front().secondPeople == std::vector<std::string>{"C"});
     QVERIFY(!session::testsThresholds(compared));
 }
 
@@ -320,6 +363,113 @@ void TestGroupWords::doubtIsSeen() {
     report::PlotView plot{report::PlotTheme{}};
     estimates.draw(plot);
     QCOMPARE(plot.legendTexts().size(), 3); // in words, not by colour
+}
+
+/// Too few trials ask for more of them, whatever was presented; then comes what the table has and the run did
+/// not reach, and other differences only where it reached the table's end.
+void TestGroupWords::adviceFollowsFromTheCause() {
+    using session::Remedy;
+    const psychophysics::Warning high{WarningKind::priorEdgeHigh}, low{WarningKind::priorEdgeLow};
+    for (const auto& warnings : {std::vector{high}, std::vector{low}, std::vector{high, low}})
+        QVERIFY(remedyOf(presented(6, warnings)) == Remedy::moreTrials);
+    QVERIFY(remedyOf(presented(40, {high})) == Remedy::unusedDifferences);
+    QVERIFY(remedyOf(presented(40, {low})) == Remedy::unusedDifferences);
+    QVERIFY(remedyOf(presented(40, {high}, 0.04, 0.6)) == Remedy::otherDifferences);
+    QVERIFY(remedyOf(presented(40, {low}, 0.02)) == Remedy::otherDifferences);
+    QVERIFY(remedyOf(presented(40, {{WarningKind::allRight}, low}, 0.02)) == Remedy::otherDifferences);
+    QVERIFY(remedyOf(presented(40, {high, low}, 0.02, 0.6)) == Remedy::moreTrials);
+    QVERIFY(remedyOf(presented(40, {})) == Remedy::none);
+    const auto said = [](Presence presence, Remedy remedy) {
+        session::GroupRoll roll;
+        roll.people = {{"A", presence, false, remedy}};
+        return session_report::groupSentences(roll, kEnglish).join(u' ');
+    };
+    for (const Presence presence : {Presence::allRight, Presence::guessing, Presence::unbounded}) {
+        const QString few = said(presence, Remedy::moreTrials);
+        QVERIFY2(few.contains(QStringLiteral("plan more trials")) &&
+                     !few.contains(QStringLiteral("larger differences")) &&
+                     !few.contains(QStringLiteral("smaller differences")),
+                 qPrintable(few));
+    }
+    QVERIFY(said(Presence::guessing, Remedy::unusedDifferences).contains(QStringLiteral("table has larger")));
+    QVERIFY(
+        said(Presence::allRight, Remedy::unusedDifferences).contains(QStringLiteral("table has smaller")));
+    QVERIFY(said(Presence::guessing, Remedy::otherDifferences).contains(QStringLiteral("plan larger")));
+    QVERIFY(said(Presence::allRight, Remedy::otherDifferences).contains(QStringLiteral("plan smaller")));
+}
+
+/// Whoever had nearly everything right understood the task.
+void TestGroupWords::theTaskIsDoubtedOnlyOfGuessers() {
+    session::GroupRoll roll;
+    roll.people = {{"A", Presence::guessing, false, session::Remedy::moreTrials, false},
+                   {"B", Presence::guessing, false, session::Remedy::moreTrials, true},
+                   {"C", Presence::guessing, false, session::Remedy::moreTrials, false},
+                   {"D", Presence::used, false, session::Remedy::none, false}};
+    const QStringList doubted = session_report::groupSentences(roll, kEnglish)
+                                    .filter(QStringLiteral("Check that the task was understood"));
+    QCOMPARE(doubted.size(), 1);
+    QVERIFY2(doubted.front().startsWith(QStringLiteral("B: ")), qPrintable(doubted.front()));
+    QCOMPARE(session_report::groupSentences(roll, kEnglish).filter(QStringLiteral("A, C: ")).size(), 1);
+}
+
+void TestGroupWords::verdictsSayNoMoreThanTheNumbers() {
+    QString said = verdictOf(comparedBy(1.0, 3.3e-6, 303393.0, 1.0));
+    QVERIFY2(said.startsWith(QStringLiteral("No difference between “Soft” and “Stiff” is shown")) &&
+                 said.contains(QStringLiteral("unbounded in practice: too few participants")) &&
+                 said.contains(QStringLiteral("With 2 participants in both conditions, even a ratio of 10")),
+             qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("303")), qPrintable(said));
+    QVERIFY(session_report::comparisonRow(comparedBy(1.0, 3.3e-6, 303393.0, 1.0), nameOf(0), nameOf(1), false,
+                                          kEnglish)[2]
+                .startsWith(QStringLiteral("unbounded in practice")));
+    said = verdictOf(comparedBy(1.1, 0.55, 2.2, 0.6)); // half the width is a factor of 2
+    QVERIFY2(said.contains(QStringLiteral("0.550 … 2.20")) &&
+                 said.contains(QStringLiteral("a ratio below 2.00 could not have been shown")),
+             qPrintable(said));
+    said = verdictOf(comparedBy(1.4, 1.1, 1.8, 0.012));
+    QVERIFY2(said.startsWith(QStringLiteral("The threshold of “Stiff” is 1.40 times that of “Soft” (95 % "
+                                            "interval: 1.10 … 1.80; p = 0.012).")),
+             qPrintable(said));
+    said = verdictOf(comparedBy(0.5, 0.4, 0.8, 0.0001)); // the larger one is named first
+    QVERIFY2(said.startsWith(QStringLiteral("The threshold of “Soft” is 2.00 times that of “Stiff” (95 % "
+                                            "interval: 1.25 … 2.50; p < 0.001).")),
+             qPrintable(said));
+    session::ComparedConditions adjusted = comparedBy(1.4, 1.1, 1.8, 0.03);
+    adjusted.weber.pHolm = 0.09; // one of several comparisons
+    said = verdictOf(adjusted);
+    QVERIFY2(said.startsWith(QStringLiteral("No difference")) &&
+                 said.contains(QStringLiteral("adjusted p = 0.090")) &&
+                 !said.contains(QStringLiteral("could not have been")),
+             qPrintable(said));
+    said = verdictOf(comparedBy(1.4, std::nan(""), std::nan(""), std::nan("")));
+    QVERIFY2(said.contains(QStringLiteral("cannot be said")), qPrintable(said));
+}
+
+void TestGroupWords::whoIsComparedIsNamed() {
+    QVERIFY(verdictOf(comparedBy(1.0, 0.5, 2.0, 1.0)).endsWith(QStringLiteral("both conditions: A, B.")));
+    session::ComparedConditions groups = comparedBy(1.0, 0.5, 2.0, 1.0);
+    groups.weber.paired = false;
+    groups.secondPeople = {"C", "D"};
+    const QString said = verdictOf(groups);
+    QVERIFY2(said.endsWith(QStringLiteral("in “Soft” alone: A, B; in “Stiff” alone: C, D.")),
+             qPrintable(said));
+    QVERIFY2(said.contains(QStringLiteral("two groups of 2 and 2 participants")), qPrintable(said));
+}
+
+/// What stands in an estimate that the answers do not support comes from the prior, and is not shown as a
+/// value.
+void TestGroupWords::aValueFromThePriorIsNone() {
+    using session_report::supportedValue;
+    const auto open = estimateWith(0.0306, {{WarningKind::priorEdgeHigh}});
+    QCOMPARE(supportedValue(QStringLiteral("3.06 %"), open, true), QStringLiteral("no value yet"));
+    QCOMPARE(supportedValue(QStringLiteral("3.06 %"), open, false), QStringLiteral("no value"));
+    QCOMPARE(session_report::supportedInterval(QStringLiteral("1 … 9 %"), open), QStringLiteral("–"));
+    QVERIFY(!session_report::whyNoValue(open).isEmpty());
+    const auto doubtful = estimateWith(0.0306, {{WarningKind::fewTrials, 6}});
+    QCOMPARE(supportedValue(QStringLiteral("3.06 %"), doubtful, true), QStringLiteral("! 3.06 %"));
+    QCOMPARE(session_report::supportedInterval(QStringLiteral("1 … 9 %"), doubtful),
+             QStringLiteral("1 … 9 %"));
+    QVERIFY(session_report::whyNoValue(doubtful).isEmpty());
 }
 
 QTEST_MAIN(TestGroupWords)

@@ -70,6 +70,7 @@ private slots:
     void quantitiesAreReadWithTheirUnits();
     void whatIsTypedIsTakenOrTold();
     void soundAndForceAreCheckedBeforeFreezing();
+    void runsWithoutValuesAreToldBeforeFreezing();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -629,6 +630,42 @@ void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
     QVERIFY(stateOf("probe", facts) == State::advice);
     design.trial.mustTouchAll = false;
     QVERIFY(!stateOf("probe", facts));
+    QVERIFY(!stateOf("force", facts)); // nobody has looked at the device
+    facts.rendersForce = true;
+    QVERIFY(stateOf("force", facts) == State::good);
+    facts.rendersForce = false;
+    QVERIFY(stateOf("force", facts) == State::advice);
+    for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, facts, m_locale))
+        if (each.name == u"force")
+            QVERIFY2(each.words.contains(QStringLiteral("leave such runs out")) && each.tab < 0,
+                     qPrintable(each.words));
+}
+
+/// Runs that give no value at all are told before freezing, of the condition that has the most.
+void TestStudyParts::runsWithoutValuesAreToldBeforeFreezing() {
+    using State = desktop::FreezeCheck::State;
+    const psychophysics::StudyDesign design = desktop::plainStudy();
+    desktop::FreezeFacts facts;
+    const auto values = [&]() -> std::optional<desktop::FreezeCheck> {
+        for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, facts, m_locale))
+            if (each.name == u"values")
+                return each;
+        return std::nullopt;
+    };
+    QVERIFY(values() && values()->state == State::waiting);
+    facts.plans.emplace(std::size_t{2}); // nothing that could be simulated
+    QVERIFY(!values());
+    for (psychophysics::ConditionPlan& plan : *facts.plans)
+        plan.runs = 40;
+    QVERIFY(values() && values()->state == State::good);
+    facts.plans->back().withoutValue = 1;
+    QVERIFY(values()->state == State::good && values()->words.contains(QStringLiteral("1 of 40")));
+    facts.plans->back().withoutValue = 18;
+    QVERIFY(values()->state == State::advice && values()->words.contains(QStringLiteral("18 of 40")));
+    QVERIFY(!values()->words.contains(QStringLiteral("From about")));
+    facts.plans->back().trialsForValues = 30;
+    QVERIFY2(values()->words.contains(QStringLiteral("From about 30 trials on")),
+             qPrintable(values()->words));
 }
 
 void TestStudyParts::anEarlierExportIsReplacedOrKept() {

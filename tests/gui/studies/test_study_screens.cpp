@@ -3,7 +3,9 @@
 #include "catalogue/instrument_catalogue.h"
 #include "database/repositories/privacy_repository.h"
 #include "desktop/studies/studies_screen.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/studies/study_screen.h"
+#include "desktop/study_data/person_page.h"
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
@@ -52,6 +54,7 @@ private slots:
     void runsInOrder();
     void questionnaire();
     void dataAndUnblinding();
+    void aRunWithoutAValueShowsNone();
     void everyWayOutOfAnExportIsTold();
     void theTableOfTrialsFits();
     void whatGroupsIncludeIsRemembered();
@@ -376,6 +379,12 @@ void TestStudyScreens::runsInOrder() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
     QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(),
              m_code); // the first who still takes part
+    const auto* onlyShown = m_site->find<QWidget>(QStringLiteral("run.shown")); // this station has a mouse
+    QVERIFY(!desktop::studyDeviceRendersForce() && onlyShown);
+    QString leftOut;
+    for (const QLabel* label : onlyShown->findChildren<QLabel*>())
+        leftOut += label->text();
+    QVERIFY2(leftOut.contains(QStringLiteral("leave such runs out")), qPrintable(leftOut));
     for (const QLabel* label :
          m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
         QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
@@ -511,6 +520,41 @@ void TestStudyScreens::dataAndUnblinding() {
                                  m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() ==
                                      QStringLiteral("Stiffness of a tube"),
                              30000);
+}
+
+/// The estimate of a short run comes from the prior: the page says that there is no value, and why, instead
+/// of showing it.
+void TestStudyScreens::aRunWithoutAValueShowsNone() {
+    desktop::StudyFacts facts;
+    facts.study.participants.resize(1);
+    facts.designed.resize(1);
+    facts.runs.resize(1);
+    desktop::RunFacts& run = facts.runs.front();
+    run.run.state = database::StudyRunState::open;
+    run.scored = 2;
+    run.presence = session::Presence::guessing;
+    run.estimate.trials = 2;
+    run.estimate.weber = 0.0306;
+    run.estimate.weber95 = {0.001, 0.9};
+    run.estimate.sigma_log10 = 0.0123;
+    run.estimate.warnings = {{psychophysics::WarningKind::priorEdgeHigh}};
+    const auto shown = [&] {
+        const desktop::PersonPage page(m_site->context, facts, 0);
+        QStringList words;
+        for (const QLabel* label : page.findChildren<QLabel*>())
+            words << label->text();
+        return words.join(QLatin1Char('\n'));
+    };
+    QString words = shown();
+    QVERIFY2(words.contains(QStringLiteral("no value yet")) && !words.contains(QStringLiteral("3.06")) &&
+                 words.contains(QStringLiteral("a much larger threshold is not ruled out")) &&
+                 !words.contains(QStringLiteral("Internal noise")),
+             qPrintable(words));
+    run.estimate.warnings = {{psychophysics::WarningKind::fewTrials, 2}}; // doubtful, and a value
+    run.presence = session::Presence::used;
+    words = shown();
+    QVERIFY2(words.contains(QStringLiteral("! 3.06")) && !words.contains(QStringLiteral("no value")),
+             qPrintable(words));
 }
 
 /// Closed, asked twice, done, there already, and left meanwhile: no export ends without a word.

@@ -5,10 +5,12 @@
 #include "psychophysics/measures/sample_moments.h"
 #include "psychophysics/planning/fisher_information.h"
 #include "psychophysics/planning/study_plan.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace chiron::psychophysics;
 
@@ -20,6 +22,7 @@ private slots:
     void informationOfYesNo();
     void quantilesHaveTheirErrors();
     void aFigureHasTheErrorOfTheSpread();
+    void shortRunsWithoutValuesAreCounted();
 };
 
 void TestPlanCoverage::everyTask_data() {
@@ -62,6 +65,44 @@ void TestPlanCoverage::everyTask() {
     QVERIFY2(plan.weber50Error > 0.4 * ofMedian && plan.weber50Error < 2.5 * ofMedian,
              qPrintable(QString::number(plan.weber50Error / ofMedian)));
     QVERIFY(plan.weber10Error > 0.0 && plan.weber90Error > 0.0);
+}
+
+/// Runs of six trials often leave the threshold open; a plan says how often, and how many trials it takes.
+/// Long runs do not, and nothing more is simulated for them.
+void TestPlanCoverage::shortRunsWithoutValuesAreCounted() {
+    Condition condition;
+    condition.id = "short";
+    condition.task = Task::twoAfc;
+    condition.stimulus.reference = 100.0;
+    for (int i = 0; i < 8; ++i)
+        condition.stimulus.differences.push_back(0.02 * std::pow(1.4, i));
+    condition.procedures = {kindFor(StaircaseSpec{}).usual(condition)};
+    const ObserverSpec observer{.weber = 0.1, .lapse = 0.02};
+    const auto planned = [&](int trials) {
+        const auto of = withTrials(condition, trials);
+        ConditionPlan plan = planCondition(of.value(), {}, observer, 40, 7);
+        examineLength(plan, *of, observer, 7);
+        return plan;
+    };
+    const ConditionPlan six = planned(6);
+    qInfo("6 trials: %d of %d without a value; enough: %d", six.withoutValue, six.runs, six.trialsForValues);
+    QVERIFY(oftenWithoutValue(six) && six.withoutValue >= six.withoutEstimate);
+    QVERIFY(six.trialsForValues > 6 && six.trialsForValues <= 100);
+    const ConditionPlan enough = planned(six.trialsForValues);
+    QVERIFY(!oftenWithoutValue(enough));
+    QCOMPARE(enough.trialsForValues, 0); // there was nothing to look for
+    ConditionPlan apex = six;
+    apex.trialsForValues = 0;
+    condition.stimulus.attribute = Attribute::apex;
+    examineLength(apex, condition, observer, 7);
+    QCOMPARE(apex.trialsForValues, 0);
+    for (const auto& [without, runs, often] :
+         {std::tuple{0, 0, false}, {0, 40, false}, {1, 40, false}, {2, 40, true}, {40, 40, true}}) {
+        ConditionPlan plan;
+        plan.withoutValue = without;
+        plan.runs = runs;
+        QCOMPARE(oftenWithoutValue(plan), often);
+    }
 }
 
 /// The rule of yes-no on the half of its trials that show the difference is that of 2AFC: both percepts are

@@ -4,6 +4,7 @@
 #include "catalogue/procedure_reader.h"
 #include "catalogue/procedure_schema.h"
 #include "catalogue/schema.h"
+#include "psychophysics/measures/run_warnings.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QFile>
@@ -224,6 +225,7 @@ private slots:
     void defaultsLieInTheirRange();
     void whatAKindBeginsWithIsWhole();
     void whatAKindBeginsWithSurvivesJson();
+    void theUsualValueIsWhatAKindBeginsWith();
     void storedRunsLeadBackToTheKind();
     void anotherTableKeepsTheCounts();
     void rangesAreKept();
@@ -304,6 +306,30 @@ void TestProcedureRows::whatAKindBeginsWithSurvivesJson() {
             QCOMPARE(&kindFor(*again), kind);
             QCOMPARE(QJsonDocument(writeProcedure(*again)).toJson(), QJsonDocument(json).toJson());
         }
+}
+
+/// A field never says "usually 20" beside another number that nobody chose.
+void TestProcedureRows::theUsualValueIsWhatAKindBeginsWith() {
+    int stated = 0;
+    for (const ProcedureKind* kind : procedureKinds())
+        for (const ProcedureSpec& spec : begunWith(*kind))
+            for (const Parameter& row : kind->rows()) {
+                if (!row.usual || !row.usual->value)
+                    continue;
+                const ParameterValue value = row.get(spec);
+                const double stored = std::holds_alternative<int>(value)
+                                          ? static_cast<double>(std::get<int>(value))
+                                          : std::get<double>(value);
+                const double shown = row.quantity == Quantity::share ? 100.0 * stored : stored;
+                QVERIFY2(std::abs(shown - *row.usual->value) < 1e-9, qPrintable(nameOf(*kind, row)));
+                ++stated;
+            }
+    QVERIFY(stated > 0);
+    for (const ProcedureKind* kind : procedureKinds()) // how few trials are few stands where they are typed
+        for (const Parameter& row : kind->rows())
+            if (row.key == "trials" && row.object == "stop")
+                QVERIFY2(text(row.meaning).contains(QString::number(kFewTrials)),
+                         qPrintable(nameOf(*kind, row)));
 }
 
 /// Whether two numbers, optional numbers or lists of numbers are equal; other values are not compared.

@@ -3,9 +3,13 @@
 
 #include "psychophysics/measures/scored_answers.h"
 #include "psychophysics/study/arrangement.h"
+#include "tests/unit/psychophysics/measures/thurstone_runs.h"
 
 #include <QtTest>
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
+#include <vector>
 
 using namespace chiron;
 using namespace chiron::psychophysics;
@@ -145,12 +149,65 @@ private slots:
         answers.used = 20;
         answers.right = enough;
         QVERIFY(saysOnly(of, answers, quiet(), {}));
-        answers.right = enough - 1;
-        QVERIFY(saysOnly(of, answers, quiet(), {chance}));
+        answers.right = enough - 1; // guessing is not refuted, and neither is its opposite
+        QVERIFY(saysOnly(of, answers, quiet(),
+                         {of == Task::rank3 || of == Task::rank3Ties ? chance : tooFewToTell}));
         answers.right = 19;
         QVERIFY(saysOnly(of, answers, quiet(), {}));
         answers.right = 20;
         QVERIFY(saysOnly(of, answers, quiet(), {allRight}));
+    }
+    /// Five of six right are no sign of guessing: by guessing, p is 0.11; whoever is right in 75 % of the
+    /// trials has five of six or fewer in 82 % of the cases. Two of six refute the latter (0.038), three do
+    /// not (0.169). The values are summed by hand.
+    void fewAnswersTellNothingOfGuessing() {
+        using enum WarningKind;
+        ScoredAnswers answers = ordinary();
+        answers.used = 6;
+        for (const auto& [right, kinds] :
+             std::initializer_list<std::pair<int, std::vector<WarningKind>>>{{2, {fewTrials, chance}},
+                                                                             {3, {fewTrials, tooFewToTell}},
+                                                                             {5, {fewTrials, tooFewToTell}},
+                                                                             {6, {fewTrials, allRight}}}) {
+            answers.right = right;
+            QVERIFY2(saysOnly(Task::twoAfc, answers, quiet(), kinds), qPrintable(QString::number(right)));
+        }
+        answers.used = answers.right = 2; // one in four guessers has both right
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {fewTrials, allRight, tooFewToTell}));
+        answers.used = 6; // the one at the smallest difference is wrong: no jump is seen in so few
+        answers.right = 5;
+        answers.points = {{0.02, 0, 1}, {0.05, 5, 5}};
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {fewTrials, tooFewToTell}));
+    }
+    /// Of no run two things are said of which one denies the other.
+    void noTwoWarningsContradict() {
+        using enum WarningKind;
+        const std::vector<std::pair<WarningKind, WarningKind>> contradictions{
+            {chance, stepFunction},      {tooFewToTell, stepFunction}, {chance, tooFewToTell},
+            {chance, allRight},          {allRight, stepFunction},     {oneAnswer, stepFunction},
+            {noRise, stepFunction},      {noRise, allRight},           {noRise, tooFewToTell},
+            {notMonotone, stepFunction}, {notMonotone, allRight}};
+        int guessed = 0, untold = 0, jumps = 0;
+        for (const Task task : {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3})
+            for (const double sigma : {0.005, 0.03, 0.05, 0.5})
+                for (const int trials : {2, 4, 6, 12, 40})
+                    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+                        core::Random random(seed);
+                        const Condition condition = thurstone_runs::conditionOf(task);
+                        std::vector<ScoredTrial> run;
+                        for (int i = 0; i < trials; ++i) // few levels, so that steps occur
+                            run.push_back(thurstone_runs::simulated(
+                                task, condition.stimulus.differences[static_cast<std::size_t>(i % 2) * 5],
+                                sigma, 0.02, random));
+                        const std::vector<Warning> warnings = estimateRun(condition, run, seed).warnings;
+                        for (const auto& [one, other] : contradictions)
+                            QVERIFY2(!hasWarning(warnings, one) || !hasWarning(warnings, other),
+                                     (warningText({one}) + " / " + warningText({other})).c_str());
+                        guessed += hasWarning(warnings, chance) ? 1 : 0;
+                        untold += hasWarning(warnings, tooFewToTell) ? 1 : 0;
+                        jumps += hasWarning(warnings, stepFunction) ? 1 : 0;
+                    }
+        QVERIFY(guessed > 0 && untold > 0 && jumps > 0); // else nothing was shown
     }
     /// Whoever says yes (different) always or never tells nothing of differences; the number of right answers
     /// does not matter there.

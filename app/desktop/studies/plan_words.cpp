@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/plan_words.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+namespace {
+struct PlanWords {
+    Q_DECLARE_TR_FUNCTIONS(PlanWords)
+};
+} // namespace
+
+QString runsWithoutValueWords(const psychophysics::ConditionPlan& plan, const QLocale& locale) {
+    const QString runs = locale.toString(plan.runs);
+    if (plan.withoutValue == 0)
+        return PlanWords::tr("All of %1 simulated runs gave a usable value.").arg(runs);
+    const QString said =
+        PlanWords::tr("%1 of %2 simulated runs gave no usable value; groups leave such runs out.")
+            .arg(locale.toString(plan.withoutValue), runs);
+    return plan.trialsForValues == 0
+               ? said
+               : said + QLatin1Char(' ') +
+                     PlanWords::tr("From about %1 trials on, fewer than 1 run in 20 gives none.")
+                         .arg(locale.toString(plan.trialsForValues));
+}
+
+} // namespace chiron::desktop
