@@ -209,6 +209,10 @@
         <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
         <translation>Zu fest: Das Gewebe hat nachgegeben. Ziehen Sie zurück, bis Sie wieder draußen sind, oder öffnen Sie die Branchen, wenn sie es gequetscht haben</translation>
     </message>
+    <message>
+        <source>The object came off the tool</source>
+        <translation>Das Objekt hat sich vom Werkzeug gelöst</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -1138,6 +1142,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
         <translation>Mit so wenigen Teilnehmenden wird zwischen zwei Bedingungen kein Verhältnis bis 10 entdeckt.</translation>
+    </message>
+    <message>
+        <source>Usable values</source>
+        <translation>Brauchbare Werte</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>The device of this station renders force.</source>
+        <translation>Das Gerät dieser Station gibt Kraft aus.</translation>
     </message>
 </context>
 <context>
@@ -3020,6 +3036,28 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>PeopleNames</name>
+    <message>
+        <source>Scripted hand</source>
+        <translation>Programmierte Hand</translation>
+    </message>
+</context>
+<context>
+    <name>PlanWords</name>
+    <message>
+        <source>All of %1 simulated runs gave a usable value.</source>
+        <translation>Alle %1 simulierten Läufe ergaben einen brauchbaren Wert.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulated runs gave no usable value; groups leave such runs out.</source>
+        <translation>%1 von %2 simulierten Läufen ergaben keinen brauchbaren Wert; Gruppen lassen solche Läufe aus.</translation>
+    </message>
+    <message>
+        <source>From about %1 trials on, fewer than 1 run in 20 gives none.</source>
+        <translation>Ab etwa %1 Durchgängen ergibt weniger als 1 Lauf von 20 keinen.</translation>
+    </message>
+</context>
+<context>
     <name>PlatformCheck</name>
     <message>
         <source>%1 N</source>
@@ -3579,6 +3617,10 @@ Einzelheiten: %2</translation>
         <source>The tissue gave way at a torque of %1</source>
         <translation>Das Gewebe gab bei einem Drehmoment von %1 nach</translation>
     </message>
+    <message>
+        <source>The object came off the tool at %1</source>
+        <translation>Das Objekt löste sich bei %1 vom Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>Procedures</name>
@@ -3641,10 +3683,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Minimum trials</source>
         <translation>Mindestzahl Durchgänge</translation>
-    </message>
-    <message>
-        <source>The run does not end earlier, however sure the estimate is.</source>
-        <translation>Früher endet der Lauf nicht, wie sicher die Schätzung auch ist.</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
@@ -3719,16 +3757,8 @@ Einzelheiten: %2</translation>
         <translation>Steigung β</translation>
     </message>
     <message>
-        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
-        <translation>Wie steil die richtigen Antworten mit dem Unterschied zunehmen; das wird angenommen, nicht gemessen.</translation>
-    </message>
-    <message>
         <source>Lapses</source>
         <translation>Lapses</translation>
-    </message>
-    <message>
-        <source>Answers that are wrong although the difference is felt.</source>
-        <translation>Antworten, die falsch sind, obwohl der Unterschied gespürt wird.</translation>
     </message>
     <message>
         <source>Right by guessing</source>
@@ -3791,20 +3821,12 @@ Einzelheiten: %2</translation>
         <translation>Psychometrische Funktion</translation>
     </message>
     <message>
-        <source>The shape by which right answers are assumed to grow with the difference.</source>
-        <translation>Die Form, in der die richtigen Antworten mit dem Unterschied zunehmen sollen.</translation>
-    </message>
-    <message>
         <source>Same difference in a row</source>
         <translation>Gleicher Unterschied in Folge</translation>
     </message>
     <message>
         <source>Catch trials</source>
         <translation>Kontrolldurchgänge</translation>
-    </message>
-    <message>
-        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
-        <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
     </message>
     <message>
         <source>Values of this parameter that are considered possible.</source>
@@ -3829,10 +3851,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Just noticeable difference</source>
         <translation>Unterschiedsschwelle</translation>
-    </message>
-    <message>
-        <source>Just noticeable differences between these are considered possible.</source>
-        <translation>Unterschiedsschwellen dazwischen gelten als möglich.</translation>
     </message>
     <message>
         <source>QUEST+ for rankings</source>
@@ -3875,24 +3893,12 @@ Einzelheiten: %2</translation>
         <translation>Schritte nach oben</translation>
     </message>
     <message>
-        <source>One for each reversal so far; the last one is kept.</source>
-        <translation>Einer für jede bisherige Umkehrung; der letzte bleibt.</translation>
-    </message>
-    <message>
         <source>Steps down</source>
         <translation>Schritte nach unten</translation>
     </message>
     <message>
-        <source>One for each reversal so far; none: the same as up.</source>
-        <translation>Einer für jede bisherige Umkehrung; keiner: wie nach oben.</translation>
-    </message>
-    <message>
         <source>One up, one down at first</source>
         <translation>Anfangs einer auf, einer ab</translation>
-    </message>
-    <message>
-        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
-        <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort es schwerer: Der Lauf kommt schneller in die Nähe der Schwelle.</translation>
     </message>
     <message>
         <source>Right and wrong answers before a step do not count for the next one.</source>
@@ -3935,10 +3941,6 @@ Einzelheiten: %2</translation>
         <translation>Wie oft jede Stufe dargeboten wird, bevor der Lauf weitergeht oder endet.</translation>
     </message>
     <message>
-        <source>The run ends after this number of trials at the latest.</source>
-        <translation>Der Lauf endet spätestens nach dieser Zahl von Durchgängen.</translation>
-    </message>
-    <message>
         <source>The run ends once the direction has changed this many times; 0: only the number of trials ends it.</source>
         <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Zahl der Durchgänge beendet ihn.</translation>
     </message>
@@ -3959,20 +3961,8 @@ Einzelheiten: %2</translation>
         <translation>Erlaubte Abweichung</translation>
     </message>
     <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and make the decision more reliable.</source>
-        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
-    </message>
-    <message>
-        <source>Its uncertainty</source>
-        <translation>Unsicherheit der Erwartung</translation>
-    </message>
-    <message>
         <source>The threshold is the difference at which this share of the answers is right.</source>
         <translation>Die Schwelle ist der Unterschied, bei dem dieser Anteil der Antworten richtig ist.</translation>
-    </message>
-    <message>
-        <source>Answers that are right without feeling anything: 50 % with two alternatives.</source>
-        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
     </message>
     <message>
         <source>Where on the posterior distribution the next trial is placed; the quantile is the most efficient.</source>
@@ -3983,28 +3973,80 @@ Einzelheiten: %2</translation>
         <translation>Änderung der Funktion</translation>
     </message>
     <message>
-        <source>How often in succession a difference is shown at most; 0: no limit.</source>
-        <translation>Wie oft ein Unterschied höchstens nacheinander vorkommt; 0: unbegrenzt.</translation>
-    </message>
-    <message>
-        <source>Possible limits below which two objects are called equal, in standard deviations of what is felt.</source>
-        <translation>Mögliche Grenzen, unter denen zwei Objekte gleich genannt werden, in Standardabweichungen des Gespürten.</translation>
-    </message>
-    <message>
-        <source>How many right answers in succession make the next trial harder; with 3 the run converges at about 80 % right answers.</source>
-        <translation>Wie viele richtige Antworten nacheinander den nächsten Durchgang schwerer machen; mit 3 läuft es auf etwa 80 % richtige Antworten hinaus.</translation>
-    </message>
-    <message>
-        <source>How many wrong answers in succession make the next trial easier.</source>
-        <translation>Wie viele falsche Antworten nacheinander den nächsten Durchgang leichter machen.</translation>
-    </message>
-    <message>
         <source>How many of the last reversals are averaged for the staircase&apos;s own estimate; the fit uses all trials.</source>
         <translation>Aus wie vielen der letzten Umkehrungen die Treppe ihre eigene Schätzung mittelt; die Anpassung nutzt alle Durchgänge.</translation>
     </message>
     <message>
         <source>Start counting again after each step</source>
         <translation>Nach jedem Schritt neu zählen</translation>
+    </message>
+    <message>
+        <source>The run ends after this number of trials at the latest; 0: no limit. With fewer than 20 trials, runs are marked as short, and many give no usable value.</source>
+        <translation>Der Lauf endet spätestens nach dieser Zahl von Durchgängen; 0: unbegrenzt. Läufe mit weniger als 20 Durchgängen werden als kurz gekennzeichnet, und viele ergeben keinen brauchbaren Wert.</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where a precision ends the run.</source>
+        <translation>Der Lauf endet nicht früher, so sicher die Schätzung auch ist; 0: kein Mindestwert. Das zählt nur, wo eine Genauigkeit den Lauf beendet.</translation>
+    </message>
+    <message>
+        <source>A level ends once there are this many right answers more or fewer than expected. Larger values take longer and make the decision more reliable.</source>
+        <translation>Eine Stufe endet, sobald es so viele richtige Antworten mehr oder weniger als erwartet gibt. Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the expectation</source>
+        <translation>Unsicherheit der Erwartung</translation>
+    </message>
+    <message>
+        <source>How steeply the share of right answers grows with the difference; it is assumed, not measured.</source>
+        <translation>Wie steil der Anteil richtiger Antworten mit dem Unterschied zunimmt; das wird angenommen, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are wrong although the difference is felt.</source>
+        <translation>Anteil der Antworten, die falsch sind, obwohl der Unterschied gespürt wird.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right although nothing is felt: 50 % with two alternatives.</source>
+        <translation>Anteil der Antworten, die richtig sind, obwohl nichts gespürt wird: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>How the share of right answers is assumed to grow with the difference.</source>
+        <translation>Wie der Anteil richtiger Antworten mit dem Unterschied zunehmen soll; das ist eine Annahme.</translation>
+    </message>
+    <message>
+        <source>The same difference is shown at most this many times in a row; 0: no limit.</source>
+        <translation>So oft kommt derselbe Unterschied höchstens hintereinander vor; 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Share of trials with the largest difference, which show whether a participant pays attention.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
+        <translation>Mögliche Grenzen: Zwei Objekte, deren gespürter Unterschied kleiner ist, werden gleich genannt. In Standardabweichungen des Gespürten.</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these two values are considered possible.</source>
+        <translation>Unterschiedsschwellen zwischen diesen beiden Werten gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>After this many right answers in a row the next trial is harder; with 3 the run converges at about 80 % right answers.</source>
+        <translation>Nach so vielen richtigen Antworten hintereinander wird der nächste Durchgang schwerer; mit 3 läuft es auf etwa 80 % richtige Antworten hinaus.</translation>
+    </message>
+    <message>
+        <source>After this many wrong answers in a row the next trial is easier.</source>
+        <translation>Nach so vielen falschen Antworten hintereinander wird der nächste Durchgang leichter.</translation>
+    </message>
+    <message>
+        <source>The first is used until the first reversal, and the next one from each reversal on; the last one is kept.</source>
+        <translation>Der erste gilt bis zur ersten Umkehrung, ab jeder Umkehrung der nächste; der letzte bleibt.</translation>
+    </message>
+    <message>
+        <source>In the same order as the steps up; none: the same as the steps up.</source>
+        <translation>In derselben Reihenfolge wie die Schritte nach oben; keiner: wie nach oben.</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
+        <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort den nächsten Durchgang schwerer, sodass der Lauf schneller in die Nähe der Schwelle kommt.</translation>
     </message>
 </context>
 <context>
@@ -4909,16 +4951,16 @@ Möchten Sie die Datei ersetzen?</translation>
 <context>
     <name>SittingSentences</name>
     <message>
-        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
-        <translation>Ziehen Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N ziehen oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
-    </message>
-    <message>
-        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
-        <translation>Drücken Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 N drücken oder sich im Mittel schneller als %2 cm pro Sekunde bewegen, wird wiederholt.</translation>
-    </message>
-    <message>
         <source>During the trials you hear a steady noise.</source>
         <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
+    </message>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5447,6 +5489,13 @@ Einzelheiten: %2</translation>
     <message>
         <source>Participant and condition</source>
         <translation>Teilnehmende Person und Bedingung</translation>
+    </message>
+</context>
+<context>
+    <name>StudyDevice</name>
+    <message>
+        <source>The device of this station renders no force: objects are shown, not felt. Groups and comparisons leave such runs out, unless you include them under Data.</source>
+        <translation>Das Gerät dieser Station gibt keine Kraft aus: Objekte werden gezeigt, nicht gefühlt. Gruppen und Vergleiche lassen solche Läufe aus, außer Sie nehmen sie unter „Daten“ auf.</translation>
     </message>
 </context>
 <context>
@@ -6122,10 +6171,6 @@ Einzelheiten: %2</translation>
         <translation>Jedes Mal wurde dasselbe geantwortet: Das sagt nichts darüber, was gefühlt wurde.</translation>
     </message>
     <message>
-        <source>Every answer was right: the threshold is below the smallest difference, but how far below is not known.</source>
-        <translation>Jede Antwort war richtig: Die Schwelle liegt unter dem kleinsten Unterschied; wie weit darunter, ist nicht bekannt.</translation>
-    </message>
-    <message>
         <source>The answers are no better than guessing: the threshold may be above the largest difference presented.</source>
         <translation>Die Antworten sind nicht besser als geraten: Die Schwelle liegt vielleicht über dem größten dargebotenen Unterschied.</translation>
     </message>
@@ -6459,14 +6504,6 @@ Einzelheiten: %2</translation>
         <translation>%1: Noch zählt keine Antwort. Setzen Sie den Lauf unter „Durchführen“ fort.</translation>
     </message>
     <message>
-        <source>%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study and plan smaller differences.</source>
-        <translation>%1: Jede Antwort war richtig, die Schwelle liegt also unter dem kleinsten dargebotenen Unterschied. Um sie zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
-    </message>
-    <message>
-        <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
-        <translation>%1: Die Antworten grenzen die Schwelle nicht ein, der Wert beim Lauf stammt also aus Vorannahmen. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder kleinere Unterschiede.</translation>
-    </message>
-    <message>
         <source>%1: the answers give no value. The warnings of the run say why.</source>
         <translation>%1: Die Antworten ergeben keinen Wert. Die Warnungen des Laufs sagen, warum.</translation>
     </message>
@@ -6505,10 +6542,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>every answer was right</source>
         <translation>jede Antwort war richtig</translation>
-    </message>
-    <message>
-        <source>the value comes from prior assumptions</source>
-        <translation>der Wert stammt aus Vorannahmen</translation>
     </message>
     <message>
         <source>the answers give no value</source>
@@ -6575,22 +6608,6 @@ Einzelheiten: %2</translation>
         <translation>In der Gruppe; Warnungen</translation>
     </message>
     <message>
-        <source>%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.</source>
-        <translation>%1: Der Lauf wurde nicht beendet, und seine Antworten ergeben keinen Wert; er kann nicht fortgesetzt werden, weil die Studie geschlossen ist.</translation>
-    </message>
-    <message>
-        <source>%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.</source>
-        <translation>%1: Der Lauf ist nicht beendet, und seine Antworten ergeben noch keinen Wert. Setzen Sie ihn unter „Durchführen“ fort, wenn die Person weitermacht.</translation>
-    </message>
-    <message>
-        <source>not finished</source>
-        <translation>nicht beendet</translation>
-    </message>
-    <message>
-        <source>%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.</source>
-        <translation>%1: Die Antworten begrenzen die Schwelle nicht nach oben, sie liegt also vielleicht über dem größten dargebotenen Unterschied. Prüfen Sie, ob die Aufgabe verstanden wurde; um die Schwelle zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder größere Unterschiede.</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” are not compared: their values cannot be set against each other.</source>
         <translation>„%1“ und „%2“ werden nicht verglichen: Ihre Werte lassen sich nicht gegeneinanderstellen.</translation>
     </message>
@@ -6601,10 +6618,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.</source>
         <translation>„%1“ und „%2“ haben ein Verhältnis, aber kein Intervall und kein p: Jede der beiden Gruppen braucht mindestens zwei Personen, und diese haben %3 und %4.</translation>
-    </message>
-    <message>
-        <source>the answers do not bound it from above</source>
-        <translation>die Antworten begrenzen den Wert nicht nach oben</translation>
     </message>
     <message>
         <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
@@ -6626,16 +6639,132 @@ Einzelheiten: %2</translation>
         <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
         <translation>Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Dieses p wird nur angegeben, wo dieselben Personen in beiden geantwortet haben und die Antworten nicht die Unterschiede bestimmten: Nach adaptiven Läufen ist die angepasste Steigung verzerrt, und p wäre zu klein.</translation>
     </message>
-    <message>
-        <source>Which runs count: every run whose answers bound its value from below and from above, whatever other warnings it has and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten seinen Wert nach unten und nach oben begrenzen, welche anderen Warnungen er auch hat und ob er beendet ist oder nicht. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten den Wert nicht begrenzen oder keinen ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie hinzu), Teilnehmende, die zurückgetreten sind, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
-    </message>
     <message numerus="yes">
         <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
         <translation>
             <numerusform>%n Markierung stammt von einem simulierten Beobachter: Es wurde nichts dargestellt.</numerusform>
             <numerusform>%n Markierungen stammen von einem simulierten Beobachter: Es wurde nichts dargestellt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: every answer was right, so the threshold may lie far below the smallest difference presented.</source>
+        <translation>%1: Jede Antwort war richtig; die Schwelle kann also weit unter dem kleinsten dargebotenen Unterschied liegen.</translation>
+    </message>
+    <message>
+        <source>%1: the answers are no better than guessing, so the threshold may lie far above the largest difference presented. Check that the task was understood.</source>
+        <translation>%1: Die Antworten sind nicht besser als geraten; die Schwelle kann also weit über dem größten dargebotenen Unterschied liegen. Prüfen Sie, ob die Aufgabe verstanden wurde.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far above the largest difference presented.</source>
+        <translation>%1: Die Antworten schließen eine Schwelle weit über dem größten dargebotenen Unterschied nicht aus.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not tell how small or how large the threshold is.</source>
+        <translation>%1: Die Antworten sagen nicht, wie klein oder wie groß die Schwelle ist.</translation>
+    </message>
+    <message>
+        <source>The answers are too few to measure it: copy the study and plan more trials.</source>
+        <translation>Für eine Messung sind es zu wenige Antworten: Kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has larger differences, which were not presented. To measure it, copy the study and plan more trials or a larger first difference.</source>
+        <translation>Die Tabelle der Studie hat größere Unterschiede, die nicht dargeboten wurden. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder einen größeren ersten Unterschied.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has smaller differences, which were not presented. To measure it, copy the study and plan more trials.</source>
+        <translation>Die Tabelle der Studie hat kleinere Unterschiede, die nicht dargeboten wurden. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>To measure it, copy the study and plan larger differences.</source>
+        <translation>Um sie zu messen, kopieren Sie die Studie und planen Sie größere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>To measure it, copy the study and plan smaller differences.</source>
+        <translation>Um sie zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value, and the run cannot be resumed because the study is closed.</source>
+        <translation>%1: Die Antworten ergeben keinen Wert, und der Lauf kann nicht fortgesetzt werden, weil die Studie geschlossen ist.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value yet. The run is not finished: resume it under Run if the participant goes on.</source>
+        <translation>%1: Die Antworten ergeben noch keinen Wert. Der Lauf ist nicht beendet: Setzen Sie ihn unter „Durchführen“ fort, wenn die Person weitermacht.</translation>
+    </message>
+    <message>
+        <source>the answers give no value yet</source>
+        <translation>die Antworten ergeben noch keinen Wert</translation>
+    </message>
+    <message>
+        <source>a much larger threshold is not ruled out</source>
+        <translation>eine viel größere Schwelle ist nicht ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>the answers do not tell how small or how large it is</source>
+        <translation>die Antworten sagen nicht, wie klein oder wie groß der Wert ist</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers rule out a threshold far below the smallest difference presented and one far above the largest (as a rule a tenth of it, and ten times it), whatever other warnings it has and whether or not it is finished. “Rule out” means that such a threshold explains the answers less than 15 % as well as the best one does. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten eine Schwelle weit unter dem kleinsten dargebotenen Unterschied und eine weit über dem größten ausschließen (in der Regel ein Zehntel davon und das Zehnfache), welche anderen Warnungen er auch hat und ob er beendet ist oder nicht. „Ausschließen“ heißt, dass eine solche Schwelle die Antworten weniger als 15 % so gut erklärt wie die beste. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten nicht beides ausschließen oder keinen Wert ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie auf), zurückgetretene Teilnehmende und simulierte Teilnehmende, wo es Menschen gibt.</translation>
+    </message>
+    <message>
+        <source>no value yet</source>
+        <translation>noch kein Wert</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>adjusted p</source>
+        <translation>adjustiertes p</translation>
+    </message>
+    <message>
+        <source>%1 participants in both conditions</source>
+        <translation>%1 Teilnehmenden in beiden Bedingungen</translation>
+    </message>
+    <message>
+        <source>two groups of %1 and %2 participants</source>
+        <translation>zwei Gruppen von %1 und %2 Teilnehmenden</translation>
+    </message>
+    <message>
+        <source>With %1, even a ratio of 10 could not have been shown.</source>
+        <translation>Mit %1 hätte sich selbst ein Verhältnis von 10 nicht zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>With %1, a ratio below %2 could not have been shown.</source>
+        <translation>Mit %1 hätte sich ein Verhältnis unter %2 nicht zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>Compared in both conditions: %1.</source>
+        <translation>In beiden Bedingungen verglichen: %1.</translation>
+    </message>
+    <message>
+        <source>Compared in “%1” alone: %2; in “%3” alone: %4.</source>
+        <translation>Verglichen nur in „%1“: %2; nur in „%3“: %4.</translation>
+    </message>
+    <message>
+        <source>Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval and no p.</source>
+        <translation>Ob sich die Schwellen von „%1“ und „%2“ unterscheiden, lässt sich nicht sagen: Es gibt kein Intervall und kein p.</translation>
+    </message>
+    <message>
+        <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
+        <translation>Zwischen „%1“ und „%2“ zeigt sich kein Unterschied (Verhältnis %3, 95-%-Intervall: %4; %5).</translation>
+    </message>
+    <message>
+        <source>The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
+        <translation>Die Schwelle von „%1“ ist %2-mal so groß wie die von „%3“ (95-%-Intervall: %4; %5).</translation>
+    </message>
+    <message>
+        <source>unbounded in practice: too few participants</source>
+        <translation>praktisch unbegrenzt: zu wenige Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
+        <translation>Jede Antwort war richtig: Die Schwelle kann unter dem kleinsten dargebotenen Unterschied liegen; wie weit darunter, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
+        <translation>Es sind zu wenige Antworten, um sie von Raten zu unterscheiden: Nur mehr Durchgänge können zeigen, ob der Unterschied wahrgenommen wurde.</translation>
     </message>
 </context>
 <context>
@@ -8716,10 +8845,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1 % weniger als die Referenz ist weniger als nichts.</translation>
     </message>
     <message>
-        <source>Also objects with less of the attribute than the reference.</source>
-        <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz.</translation>
-    </message>
-    <message>
         <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
         <translation>Wie viele Unterschiede zur Wahl stehen. Jedes Objekt ist um denselben Faktor größer als das vorige.</translation>
     </message>
@@ -8730,6 +8855,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>The smallest difference has to be below the largest. The table was not changed.</source>
         <translation>Der kleinste Unterschied muss unter dem größten liegen. Die Tabelle wurde nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Objects with less of the attribute than the reference are presented as well.</source>
+        <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz werden gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -10026,10 +10155,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Andere Übung wählen</translation>
     </message>
     <message>
-        <source>Last time: level %1, %2, %3</source>
-        <translation>Letztes Mal: Stufe %1, %2, %3</translation>
-    </message>
-    <message>
         <source>Well done. Choose any exercise to stay in practice.</source>
         <translation>Gut gemacht. Wählen Sie eine beliebige Übung, um in Übung zu bleiben.</translation>
     </message>
@@ -10129,6 +10254,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>Everything is reviewed. A trainee&apos;s latest attempt at each level will appear here.</source>
         <translation>Alles ist begutachtet. Hier erscheint von jeder Stufe der neueste Versuch der Lernenden.</translation>
+    </message>
+    <message>
+        <source>Last time: level %1 · %2 · %3</source>
+        <translation>Letztes Mal: Stufe %1 · %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -12003,8 +12132,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Sitzung %1 ist weiterhin ungültig; es wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>A cross in the scene shows where tissue gave way.</source>
-        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben hat.</translation>
+        <source>A cross in the scene shows where tissue gave way, or where an object of a study came off the tool.</source>
+        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben oder sich ein Objekt einer Studie vom Werkzeug gelöst hat.</translation>
     </message>
 </context>
 <context>
@@ -12109,10 +12238,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Jede Person macht beide Bedingungen</translation>
     </message>
     <message>
-        <source>Participants (of two groups: in each)</source>
-        <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Signifikanzniveau, zweiseitig</translation>
     </message>
@@ -12127,10 +12252,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
         <translation>Wie gut ein Scheitel gefunden wird, wird mit der veröffentlichten Streuung der Markierungen geplant: %1 des Radius je Achse.</translation>
-    </message>
-    <message>
-        <source>How small a difference they feel, as a share of the reference.</source>
-        <translation>Wie kleine Unterschiede sie spüren, als Anteil der Referenz.</translation>
     </message>
     <message>
         <source>How many people are compared.</source>
@@ -12203,6 +12324,14 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
         <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
     </message>
+    <message>
+        <source>The just noticeable difference of these observers, as a share of the reference.</source>
+        <translation>Die Unterschiedsschwelle dieser Beobachter, als Anteil der Referenz.</translation>
+    </message>
+    <message>
+        <source>Participants (with two groups: in each)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -12235,20 +12364,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Thresholds between these are considered possible.</source>
-        <translation>Schwellen dazwischen gelten als möglich.</translation>
-    </message>
-    <message>
         <source>Spread</source>
         <translation>Streuung</translation>
-    </message>
-    <message>
-        <source>Spreads of the answers between these are considered possible.</source>
-        <translation>Streuungen der Antworten dazwischen gelten als möglich.</translation>
-    </message>
-    <message>
-        <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
-        <translation>Steigungen, die als möglich gelten: wie steil die richtigen Antworten mit dem Unterschied zunehmen. Meist 1,5 bis 7.</translation>
     </message>
     <message>
         <source>%1 (%)</source>
@@ -12293,6 +12410,18 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The largest value. The imported design spaces these values irregularly; after a change they are spaced regularly.</source>
         <translation>Der größte Wert. Der eingelesene Entwurf verteilt diese Werte unregelmäßig; nach einer Änderung sind sie regelmäßig verteilt.</translation>
+    </message>
+    <message>
+        <source>Thresholds between these two values are considered possible.</source>
+        <translation>Schwellen zwischen diesen beiden Werten gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>Spreads of the answers between these two values are considered possible.</source>
+        <translation>Streuungen der Antworten zwischen diesen beiden Werten gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>Slopes that are considered possible: how steeply the share of right answers grows with the difference. Usually 1.5 to 7.</source>
+        <translation>Steigungen, die als möglich gelten: wie steil der Anteil richtiger Antworten mit dem Unterschied zunimmt. Meist 1,5 bis 7.</translation>
     </message>
 </context>
 <context>
@@ -13869,10 +13998,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Zeit zum Antworten</translation>
     </message>
     <message>
-        <source>Once the objects are gone; without an answer the trial comes again. 0: no limit.</source>
-        <translation>Sobald die Objekte verschwunden sind; ohne Antwort kommt der Durchgang noch einmal. 0: unbegrenzt.</translation>
-    </message>
-    <message>
         <source>Between trials</source>
         <translation>Zwischen Durchgängen</translation>
     </message>
@@ -13883,10 +14008,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     <message>
         <source>Practice trials</source>
         <translation>Übungsdurchgänge</translation>
-    </message>
-    <message>
-        <source>At the largest difference, with feedback, before each condition; never scored.</source>
-        <translation>Mit dem größten Unterschied und Rückmeldung, vor jeder Bedingung; nie gewertet.</translation>
     </message>
     <message>
         <source>Participants rest before they go on; 0: never.</source>
@@ -13961,10 +14082,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Reihenfolge der Bedingungen</translation>
     </message>
     <message>
-        <source>How conditions follow each other from participant to participant. A Williams design also balances what comes after what.</source>
-        <translation>Wie die Bedingungen von Person zu Person aufeinander folgen. Ein Williams-Plan gleicht auch aus, was auf was folgt.</translation>
-    </message>
-    <message>
         <source>Blind participants</source>
         <translation>Teilnehmende verblinden</translation>
     </message>
@@ -13975,10 +14092,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     <message>
         <source>Blind experimenters</source>
         <translation>Versuchsleitung verblinden</translation>
-    </message>
-    <message>
-        <source>Until the study is unblinded, conditions go by sealed codes.</source>
-        <translation>Bis zur Entblindung der Studie tragen die Bedingungen versiegelte Codes.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13999,10 +14112,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     <message>
         <source>Force error</source>
         <translation>Kraftfehler</translation>
-    </message>
-    <message>
-        <source>Measured against commanded force, root mean square.</source>
-        <translation>Gemessene gegen befohlene Kraft, quadratisches Mittel.</translation>
     </message>
     <message>
         <source>Error of the felt value</source>
@@ -14049,10 +14158,6 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>jede Berührung</translation>
     </message>
     <message>
-        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
-        <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
-    </message>
-    <message>
         <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
         <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts. Die Teilnehmenden erfahren davon, wo es zu hören ist.</translation>
     </message>
@@ -14079,6 +14184,30 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     <message>
         <source>After this many repeats the run pauses and asks the experimenter.</source>
         <translation>Nach so vielen Wiederholungen hält der Lauf an und fragt die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>Time to answer once the objects are gone. Without an answer the trial is repeated. 0: no limit.</source>
+        <translation>Zeit zum Antworten, sobald die Objekte verschwunden sind. Ohne Antwort wird der Durchgang wiederholt. 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Trials before each condition, at the largest difference and with feedback. They are never scored.</source>
+        <translation>Durchgänge vor jeder Bedingung, mit dem größten Unterschied und mit Rückmeldung. Sie werden nie gewertet.</translation>
+    </message>
+    <message>
+        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
+        <translation>In welcher Reihenfolge jede Person die Bedingungen durchläuft. Ein Williams-Plan gleicht auch aus, welche Bedingung auf welche folgt.</translation>
+    </message>
+    <message>
+        <source>Until the study is unblinded, experimenters see sealed codes instead of the conditions.</source>
+        <translation>Bis zur Entblindung der Studie sieht die Versuchsleitung versiegelte Codes statt der Bedingungen.</translation>
+    </message>
+    <message>
+        <source>How far the measured force may be from the commanded one, root mean square.</source>
+        <translation>Wie weit die gemessene Kraft von der befohlenen abweichen darf, quadratisches Mittel.</translation>
     </message>
 </context>
 <context>
@@ -16528,10 +16657,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Mit diesem Gerät nicht möglich</translation>
     </message>
     <message>
-        <source>Back to the participant</source>
-        <translation>Zurück zur Person</translation>
-    </message>
-    <message>
         <source>Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger device, or plan another reference in another study.</source>
         <translation>Wegen seiner Verzögerung kann dieses Gerät keinen der Unterschiede dieser Bedingung darstellen. Verwenden Sie ein schnelleres oder stärkeres Gerät, oder planen Sie in einer anderen Studie eine andere Referenz.</translation>
     </message>
@@ -16566,10 +16691,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Experimenter</source>
         <translation>Versuchsleitung</translation>
-    </message>
-    <message>
-        <source>Back to the participant (F2)</source>
-        <translation>Zurück zur Versuchsperson (F2)</translation>
     </message>
     <message>
         <source>Go on with the study</source>
@@ -16927,6 +17048,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
         <translation>Die Uhr steht, und alles Bisherige bleibt erhalten. Drücken Sie „Weiter“, um weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Back to the study</source>
+        <translation>Zurück zur Studie</translation>
+    </message>
+    <message>
+        <source>Back to the participant&apos;s conditions</source>
+        <translation>Zurück zu den Bedingungen der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Back to the participant&apos;s page (F2)</source>
+        <translation>Zurück zur Seite der Versuchsperson (F2)</translation>
     </message>
 </context>
 <context>

@@ -209,6 +209,10 @@
         <source>Too hard: the tissue gave way. Draw back until you are out of it, or open the jaws if they squeezed it</source>
         <translation>Πολύ δυνατά: ο ιστός υποχώρησε. Αποσυρθείτε μέχρι να βγείτε από αυτόν, ή ανοίξτε τις σιαγόνες αν τον συνέσφιξαν</translation>
     </message>
+    <message>
+        <source>The object came off the tool</source>
+        <translation>Το αντικείμενο έφυγε από το εργαλείο</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -1138,6 +1142,18 @@ Details: %2</source>
     <message>
         <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
         <translation>Με τόσο λίγους συμμετέχοντες δεν ανιχνεύεται κανένας λόγος έως 10 μεταξύ δύο συνθηκών.</translation>
+    </message>
+    <message>
+        <source>Usable values</source>
+        <translation>Αξιοποιήσιμες τιμές</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>The device of this station renders force.</source>
+        <translation>Η συσκευή αυτού του σταθμού αποδίδει δύναμη.</translation>
     </message>
 </context>
 <context>
@@ -3020,6 +3036,28 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>PeopleNames</name>
+    <message>
+        <source>Scripted hand</source>
+        <translation>Προγραμματισμένο χέρι</translation>
+    </message>
+</context>
+<context>
+    <name>PlanWords</name>
+    <message>
+        <source>All of %1 simulated runs gave a usable value.</source>
+        <translation>Και οι %1 προσομοιωμένες εκτελέσεις έδωσαν αξιοποιήσιμη τιμή.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulated runs gave no usable value; groups leave such runs out.</source>
+        <translation>%1 από τις %2 προσομοιωμένες εκτελέσεις δεν έδωσαν αξιοποιήσιμη τιμή· οι ομάδες εξαιρούν τέτοιες εκτελέσεις.</translation>
+    </message>
+    <message>
+        <source>From about %1 trials on, fewer than 1 run in 20 gives none.</source>
+        <translation>Από περίπου %1 δοκιμές και πάνω, λιγότερες από 1 στις 20 εκτελέσεις δεν δίνουν καμία.</translation>
+    </message>
+</context>
+<context>
     <name>PlatformCheck</name>
     <message>
         <source>%1 N</source>
@@ -3579,6 +3617,10 @@ Details: %2</source>
         <source>The tissue gave way at a torque of %1</source>
         <translation>Ο ιστός υποχώρησε σε ροπή %1</translation>
     </message>
+    <message>
+        <source>The object came off the tool at %1</source>
+        <translation>Το αντικείμενο έφυγε από το εργαλείο στα %1</translation>
+    </message>
 </context>
 <context>
     <name>Procedures</name>
@@ -3641,10 +3683,6 @@ Details: %2</source>
     <message>
         <source>Minimum trials</source>
         <translation>Ελάχιστος αριθμός δοκιμών</translation>
-    </message>
-    <message>
-        <source>The run does not end earlier, however sure the estimate is.</source>
-        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο ασφαλής κι αν είναι η εκτίμηση.</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
@@ -3719,16 +3757,8 @@ Details: %2</source>
         <translation>Κλίση β</translation>
     </message>
     <message>
-        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
-        <translation>Πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά· θεωρείται δεδομένο, δεν μετριέται.</translation>
-    </message>
-    <message>
         <source>Lapses</source>
         <translation>Αβλεψίες</translation>
-    </message>
-    <message>
-        <source>Answers that are wrong although the difference is felt.</source>
-        <translation>Απαντήσεις λανθασμένες, αν και η διαφορά γίνεται αισθητή.</translation>
     </message>
     <message>
         <source>Right by guessing</source>
@@ -3791,20 +3821,12 @@ Details: %2</source>
         <translation>Ψυχομετρική συνάρτηση</translation>
     </message>
     <message>
-        <source>The shape by which right answers are assumed to grow with the difference.</source>
-        <translation>Η μορφή με την οποία θεωρείται ότι αυξάνονται οι σωστές απαντήσεις με τη διαφορά.</translation>
-    </message>
-    <message>
         <source>Same difference in a row</source>
         <translation>Ίδια διαφορά στη σειρά</translation>
     </message>
     <message>
         <source>Catch trials</source>
         <translation>Δοκιμές ελέγχου</translation>
-    </message>
-    <message>
-        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
-        <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
     </message>
     <message>
         <source>Values of this parameter that are considered possible.</source>
@@ -3829,10 +3851,6 @@ Details: %2</source>
     <message>
         <source>Just noticeable difference</source>
         <translation>Ελάχιστη αντιληπτή διαφορά</translation>
-    </message>
-    <message>
-        <source>Just noticeable differences between these are considered possible.</source>
-        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών θεωρούνται πιθανές.</translation>
     </message>
     <message>
         <source>QUEST+ for rankings</source>
@@ -3875,24 +3893,12 @@ Details: %2</source>
         <translation>Βήματα πάνω</translation>
     </message>
     <message>
-        <source>One for each reversal so far; the last one is kept.</source>
-        <translation>Ένα για κάθε αναστροφή ως τώρα· το τελευταίο διατηρείται.</translation>
-    </message>
-    <message>
         <source>Steps down</source>
         <translation>Βήματα κάτω</translation>
     </message>
     <message>
-        <source>One for each reversal so far; none: the same as up.</source>
-        <translation>Ένα για κάθε αναστροφή ως τώρα· κανένα: όπως τα βήματα πάνω.</translation>
-    </message>
-    <message>
         <source>One up, one down at first</source>
         <translation>Αρχικά ένα πάνω, ένα κάτω</translation>
-    </message>
-    <message>
-        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
-        <translation>Ως την πρώτη αναστροφή αρκεί μία σωστή απάντηση για να δυσκολέψει: η εκτέλεση πλησιάζει νωρίτερα το κατώφλι.</translation>
     </message>
     <message>
         <source>Right and wrong answers before a step do not count for the next one.</source>
@@ -3935,10 +3941,6 @@ Details: %2</source>
         <translation>Πόσες φορές παρουσιάζεται κάθε επίπεδο πριν η εκτέλεση συνεχίσει ή τελειώσει.</translation>
     </message>
     <message>
-        <source>The run ends after this number of trials at the latest.</source>
-        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από αυτόν τον αριθμό δοκιμών.</translation>
-    </message>
-    <message>
         <source>The run ends once the direction has changed this many times; 0: only the number of trials ends it.</source>
         <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζει μόνο ο αριθμός των δοκιμών.</translation>
     </message>
@@ -3959,20 +3961,8 @@ Details: %2</source>
         <translation>Ανεκτή απόκλιση</translation>
     </message>
     <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and make the decision more reliable.</source>
-        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και κάνουν την απόφαση πιο αξιόπιστη.</translation>
-    </message>
-    <message>
-        <source>Its uncertainty</source>
-        <translation>Αβεβαιότητά του</translation>
-    </message>
-    <message>
         <source>The threshold is the difference at which this share of the answers is right.</source>
         <translation>Το κατώφλι είναι η διαφορά στην οποία αυτό το ποσοστό των απαντήσεων είναι σωστό.</translation>
-    </message>
-    <message>
-        <source>Answers that are right without feeling anything: 50 % with two alternatives.</source>
-        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
     </message>
     <message>
         <source>Where on the posterior distribution the next trial is placed; the quantile is the most efficient.</source>
@@ -3983,28 +3973,80 @@ Details: %2</source>
         <translation>Αλλαγή της συνάρτησης</translation>
     </message>
     <message>
-        <source>How often in succession a difference is shown at most; 0: no limit.</source>
-        <translation>Πόσες φορές το πολύ παρουσιάζεται μια διαφορά συνεχόμενα· 0: χωρίς όριο.</translation>
-    </message>
-    <message>
-        <source>Possible limits below which two objects are called equal, in standard deviations of what is felt.</source>
-        <translation>Πιθανά όρια κάτω από τα οποία δύο αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης.</translation>
-    </message>
-    <message>
-        <source>How many right answers in succession make the next trial harder; with 3 the run converges at about 80 % right answers.</source>
-        <translation>Πόσες συνεχόμενες σωστές απαντήσεις δυσκολεύουν την επόμενη δοκιμή· με 3 η εκτέλεση συγκλίνει περίπου στο 80 % σωστών απαντήσεων.</translation>
-    </message>
-    <message>
-        <source>How many wrong answers in succession make the next trial easier.</source>
-        <translation>Πόσες συνεχόμενες λανθασμένες απαντήσεις διευκολύνουν την επόμενη δοκιμή.</translation>
-    </message>
-    <message>
         <source>How many of the last reversals are averaged for the staircase&apos;s own estimate; the fit uses all trials.</source>
         <translation>Πόσων από τις τελευταίες αναστροφές ο μέσος όρος δίνει την εκτίμηση της ίδιας της κλιμακωτής μεθόδου· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
     </message>
     <message>
         <source>Start counting again after each step</source>
         <translation>Νέα καταμέτρηση μετά από κάθε βήμα</translation>
+    </message>
+    <message>
+        <source>The run ends after this number of trials at the latest; 0: no limit. With fewer than 20 trials, runs are marked as short, and many give no usable value.</source>
+        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από αυτόν τον αριθμό δοκιμών· 0: χωρίς όριο. Με λιγότερες από 20 δοκιμές οι εκτελέσεις σημειώνονται ως σύντομες, και πολλές δεν δίνουν αξιοποιήσιμη τιμή.</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where a precision ends the run.</source>
+        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο βέβαιη κι αν είναι η εκτίμηση· 0: χωρίς ελάχιστο. Έχει σημασία μόνο όπου μια ακρίβεια τερματίζει την εκτέλεση.</translation>
+    </message>
+    <message>
+        <source>A level ends once there are this many right answers more or fewer than expected. Larger values take longer and make the decision more reliable.</source>
+        <translation>Ένα επίπεδο τελειώνει μόλις οι σωστές απαντήσεις είναι κατά τόσες περισσότερες ή λιγότερες από τις αναμενόμενες. Μεγαλύτερες τιμές διαρκούν περισσότερο και κάνουν την απόφαση πιο αξιόπιστη.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the expectation</source>
+        <translation>Αβεβαιότητα της προσδοκίας</translation>
+    </message>
+    <message>
+        <source>How steeply the share of right answers grows with the difference; it is assumed, not measured.</source>
+        <translation>Πόσο απότομα αυξάνεται το ποσοστό σωστών απαντήσεων με τη διαφορά· θεωρείται δεδομένο, δεν μετριέται.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are wrong although the difference is felt.</source>
+        <translation>Ποσοστό απαντήσεων που είναι λανθασμένες, αν και η διαφορά γίνεται αισθητή.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right although nothing is felt: 50 % with two alternatives.</source>
+        <translation>Ποσοστό απαντήσεων που είναι σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>How the share of right answers is assumed to grow with the difference.</source>
+        <translation>Πώς θεωρείται ότι αυξάνεται το ποσοστό σωστών απαντήσεων με τη διαφορά.</translation>
+    </message>
+    <message>
+        <source>The same difference is shown at most this many times in a row; 0: no limit.</source>
+        <translation>Η ίδια διαφορά παρουσιάζεται το πολύ τόσες φορές στη σειρά· 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>Share of trials with the largest difference, which show whether a participant pays attention.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
+        <translation>Πιθανά όρια: δύο αντικείμενα με μικρότερη αισθητή διαφορά θεωρούνται ίσα. Σε τυπικές αποκλίσεις της αίσθησης.</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these two values are considered possible.</source>
+        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών των δύο τιμών θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>After this many right answers in a row the next trial is harder; with 3 the run converges at about 80 % right answers.</source>
+        <translation>Μετά από τόσες συνεχόμενες σωστές απαντήσεις η επόμενη δοκιμή είναι δυσκολότερη· με 3 η εκτέλεση συγκλίνει περίπου στο 80 % σωστών απαντήσεων.</translation>
+    </message>
+    <message>
+        <source>After this many wrong answers in a row the next trial is easier.</source>
+        <translation>Μετά από τόσες συνεχόμενες λανθασμένες απαντήσεις η επόμενη δοκιμή είναι ευκολότερη.</translation>
+    </message>
+    <message>
+        <source>The first is used until the first reversal, and the next one from each reversal on; the last one is kept.</source>
+        <translation>Το πρώτο ισχύει ως την πρώτη αναστροφή και από κάθε αναστροφή το επόμενο· το τελευταίο διατηρείται.</translation>
+    </message>
+    <message>
+        <source>In the same order as the steps up; none: the same as the steps up.</source>
+        <translation>Με την ίδια σειρά όπως τα βήματα πάνω· κανένα: όπως τα βήματα πάνω.</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
+        <translation>Ως την πρώτη αναστροφή μία σωστή απάντηση αρκεί για να δυσκολέψει η επόμενη δοκιμή, ώστε η εκτέλεση να πλησιάσει νωρίτερα το κατώφλι.</translation>
     </message>
 </context>
 <context>
@@ -4909,16 +4951,16 @@ Do you want to replace it?</source>
 <context>
     <name>SittingSentences</name>
     <message>
-        <source>Pull gently and move calmly: a trial in which you pull with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
-        <translation>Τραβάτε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία τραβάτε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
-    </message>
-    <message>
-        <source>Press gently and move calmly: a trial in which you press with more than %1 N, or move faster than %2 cm per second on average, is repeated.</source>
-        <translation>Πιέζετε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία πιέζετε με πάνω από %1 N ή κινείστε κατά μέσο όρο ταχύτερα από %2 cm ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
-    </message>
-    <message>
         <source>During the trials you hear a steady noise.</source>
         <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
+    </message>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5447,6 +5489,13 @@ Details: %2</source>
     <message>
         <source>Participant and condition</source>
         <translation>Συμμετέχων και συνθήκη</translation>
+    </message>
+</context>
+<context>
+    <name>StudyDevice</name>
+    <message>
+        <source>The device of this station renders no force: objects are shown, not felt. Groups and comparisons leave such runs out, unless you include them under Data.</source>
+        <translation>Η συσκευή αυτού του σταθμού δεν αποδίδει δύναμη: τα αντικείμενα γίνονται ορατά, όχι αισθητά. Ομάδες και συγκρίσεις εξαιρούν τέτοιες εκτελέσεις, εκτός αν τις συμπεριλάβετε στα «Δεδομένα».</translation>
     </message>
 </context>
 <context>
@@ -6122,10 +6171,6 @@ Details: %2</source>
         <translation>Δόθηκε κάθε φορά η ίδια απάντηση: δεν λέει τίποτα για το τι έγινε αισθητό.</translation>
     </message>
     <message>
-        <source>Every answer was right: the threshold is below the smallest difference, but how far below is not known.</source>
-        <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι είναι κάτω από τη μικρότερη διαφορά, αλλά δεν είναι γνωστό πόσο.</translation>
-    </message>
-    <message>
         <source>The answers are no better than guessing: the threshold may be above the largest difference presented.</source>
         <translation>Οι απαντήσεις δεν είναι καλύτερες από την τύχη: το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
     </message>
@@ -6459,14 +6504,6 @@ Details: %2</source>
         <translation>%1: καμία απάντηση δεν μετρά ακόμη. Συνεχίστε την εκτέλεση στη «Διεξαγωγή».</translation>
     </message>
     <message>
-        <source>%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study and plan smaller differences.</source>
-        <translation>%1: όλες οι απαντήσεις ήταν σωστές, άρα το κατώφλι είναι κάτω από τη μικρότερη διαφορά που παρουσιάστηκε. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε μικρότερες διαφορές.</translation>
-    </message>
-    <message>
-        <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
-        <translation>%1: οι απαντήσεις δεν περιορίζουν το κατώφλι, άρα η τιμή δίπλα στην εκτέλεση προέρχεται από προγενέστερες παραδοχές. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε περισσότερες δοκιμές ή μικρότερες διαφορές.</translation>
-    </message>
-    <message>
         <source>%1: the answers give no value. The warnings of the run say why.</source>
         <translation>%1: οι απαντήσεις δεν δίνουν τιμή. Οι προειδοποιήσεις της εκτέλεσης λένε γιατί.</translation>
     </message>
@@ -6505,10 +6542,6 @@ Details: %2</source>
     <message>
         <source>every answer was right</source>
         <translation>όλες οι απαντήσεις ήταν σωστές</translation>
-    </message>
-    <message>
-        <source>the value comes from prior assumptions</source>
-        <translation>η τιμή προέρχεται από προγενέστερες παραδοχές</translation>
     </message>
     <message>
         <source>the answers give no value</source>
@@ -6575,22 +6608,6 @@ Details: %2</source>
         <translation>Στην ομάδα και προειδοποιήσεις</translation>
     </message>
     <message>
-        <source>%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.</source>
-        <translation>%1: η εκτέλεση δεν ολοκληρώθηκε και οι απαντήσεις της δεν δίνουν τιμή· δεν μπορεί να συνεχιστεί επειδή η μελέτη έχει κλείσει.</translation>
-    </message>
-    <message>
-        <source>%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.</source>
-        <translation>%1: η εκτέλεση δεν ολοκληρώθηκε και οι απαντήσεις της δεν δίνουν ακόμη τιμή. Συνεχίστε την στη «Διεξαγωγή», εάν ο συμμετέχων συνεχίσει.</translation>
-    </message>
-    <message>
-        <source>not finished</source>
-        <translation>δεν ολοκληρώθηκε</translation>
-    </message>
-    <message>
-        <source>%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.</source>
-        <translation>%1: οι απαντήσεις δεν περιορίζουν το κατώφλι προς τα πάνω, άρα ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο· για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και σχεδιάστε περισσότερες δοκιμές ή μεγαλύτερες διαφορές.</translation>
-    </message>
-    <message>
         <source>“%1” and “%2” are not compared: their values cannot be set against each other.</source>
         <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται: οι τιμές τους δεν μπορούν να αντιπαρατεθούν.</translation>
     </message>
@@ -6601,10 +6618,6 @@ Details: %2</source>
     <message>
         <source>“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.</source>
         <translation>Οι συνθήκες «%1» και «%2» έχουν λόγο, αλλά όχι διάστημα ούτε p: κάθε ομάδα χρειάζεται τουλάχιστον δύο άτομα, και αυτές έχουν %3 και %4.</translation>
-    </message>
-    <message>
-        <source>the answers do not bound it from above</source>
-        <translation>οι απαντήσεις δεν περιορίζουν την τιμή προς τα πάνω</translation>
     </message>
     <message>
         <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
@@ -6626,16 +6639,132 @@ Details: %2</source>
         <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
         <translation>Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δίνεται μόνο όπου τα ίδια άτομα απάντησαν και στις δύο και οι απαντήσεις δεν επέλεξαν τις διαφορές: μετά από προσαρμοστικές εκτελέσεις η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
-    <message>
-        <source>Which runs count: every run whose answers bound its value from below and from above, whatever other warnings it has and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της περιορίζουν την τιμή της προς τα κάτω και προς τα πάνω, όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. Εξαιρούνται, από τις ομάδες όπως και από τις συγκρίσεις, εκτελέσεις που οι απαντήσεις τους δεν περιορίζουν την τιμή ή δεν δίνουν καμία, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
-    </message>
     <message numerus="yes">
         <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
         <translation>
             <numerusform>%n σημείο προέρχεται από προσομοιωμένο παρατηρητή: τίποτα δεν αποδόθηκε.</numerusform>
             <numerusform>%n σημεία προέρχονται από προσομοιωμένο παρατηρητή: τίποτα δεν αποδόθηκε.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: every answer was right, so the threshold may lie far below the smallest difference presented.</source>
+        <translation>%1: όλες οι απαντήσεις ήταν σωστές, άρα το κατώφλι μπορεί να είναι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε.</translation>
+    </message>
+    <message>
+        <source>%1: the answers are no better than guessing, so the threshold may lie far above the largest difference presented. Check that the task was understood.</source>
+        <translation>%1: οι απαντήσεις δεν είναι καλύτερες από τυχαίες, άρα το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητή η δοκιμασία.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far above the largest difference presented.</source>
+        <translation>%1: οι απαντήσεις δεν αποκλείουν κατώφλι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not tell how small or how large the threshold is.</source>
+        <translation>%1: οι απαντήσεις δεν δείχνουν πόσο μικρό ή πόσο μεγάλο είναι το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>The answers are too few to measure it: copy the study and plan more trials.</source>
+        <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί: αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has larger differences, which were not presented. To measure it, copy the study and plan more trials or a larger first difference.</source>
+        <translation>Ο πίνακας της μελέτης έχει μεγαλύτερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές ή μεγαλύτερη πρώτη διαφορά.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has smaller differences, which were not presented. To measure it, copy the study and plan more trials.</source>
+        <translation>Ο πίνακας της μελέτης έχει μικρότερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>To measure it, copy the study and plan larger differences.</source>
+        <translation>Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε μεγαλύτερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>To measure it, copy the study and plan smaller differences.</source>
+        <translation>Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε μικρότερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value, and the run cannot be resumed because the study is closed.</source>
+        <translation>%1: οι απαντήσεις δεν δίνουν τιμή, και η εκτέλεση δεν μπορεί να συνεχιστεί επειδή η μελέτη έχει κλείσει.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value yet. The run is not finished: resume it under Run if the participant goes on.</source>
+        <translation>%1: οι απαντήσεις δεν δίνουν ακόμη τιμή. Η εκτέλεση δεν ολοκληρώθηκε: συνεχίστε την στη «Διεξαγωγή», αν το άτομο συνεχίσει.</translation>
+    </message>
+    <message>
+        <source>the answers give no value yet</source>
+        <translation>οι απαντήσεις δεν δίνουν ακόμη τιμή</translation>
+    </message>
+    <message>
+        <source>a much larger threshold is not ruled out</source>
+        <translation>δεν αποκλείεται πολύ μεγαλύτερο κατώφλι</translation>
+    </message>
+    <message>
+        <source>the answers do not tell how small or how large it is</source>
+        <translation>οι απαντήσεις δεν δείχνουν πόσο μικρή ή πόσο μεγάλη είναι η τιμή</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers rule out a threshold far below the smallest difference presented and one far above the largest (as a rule a tenth of it, and ten times it), whatever other warnings it has and whether or not it is finished. “Rule out” means that such a threshold explains the answers less than 15 % as well as the best one does. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της αποκλείουν κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε και κατώφλι πολύ πάνω από τη μεγαλύτερη (κατά κανόνα το ένα δέκατο και το δεκαπλάσιό της), όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. «Αποκλείουν» σημαίνει ότι ένα τέτοιο κατώφλι εξηγεί τις απαντήσεις λιγότερο από 15 % τόσο καλά όσο το καλύτερο. Εξαιρούνται, από ομάδες και συγκρίσεις εξίσου, εκτελέσεις που οι απαντήσεις τους δεν αποκλείουν και τα δύο ή δεν δίνουν τιμή, εκτελέσεις με αντικείμενα που έγιναν ορατά και όχι αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποχώρησαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
+    </message>
+    <message>
+        <source>no value yet</source>
+        <translation>καμία τιμή ακόμη</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>καμία τιμή</translation>
+    </message>
+    <message>
+        <source>adjusted p</source>
+        <translation>προσαρμοσμένο p</translation>
+    </message>
+    <message>
+        <source>%1 participants in both conditions</source>
+        <translation>%1 συμμετέχοντες και στις δύο συνθήκες</translation>
+    </message>
+    <message>
+        <source>two groups of %1 and %2 participants</source>
+        <translation>δύο ομάδες των %1 και %2 συμμετεχόντων</translation>
+    </message>
+    <message>
+        <source>With %1, even a ratio of 10 could not have been shown.</source>
+        <translation>Με %1 ούτε λόγος ίσος με 10 δεν θα μπορούσε να είχε φανεί.</translation>
+    </message>
+    <message>
+        <source>With %1, a ratio below %2 could not have been shown.</source>
+        <translation>Με %1 δεν θα μπορούσε να είχε φανεί λόγος κάτω από %2.</translation>
+    </message>
+    <message>
+        <source>Compared in both conditions: %1.</source>
+        <translation>Συγκρίνονται και στις δύο συνθήκες: %1.</translation>
+    </message>
+    <message>
+        <source>Compared in “%1” alone: %2; in “%3” alone: %4.</source>
+        <translation>Συγκρίνονται μόνο στη «%1»: %2· μόνο στη «%3»: %4.</translation>
+    </message>
+    <message>
+        <source>Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval and no p.</source>
+        <translation>Δεν μπορεί να ειπωθεί αν διαφέρουν τα κατώφλια των «%1» και «%2»: δεν υπάρχει διάστημα ούτε p.</translation>
+    </message>
+    <message>
+        <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
+        <translation>Δεν φαίνεται διαφορά μεταξύ «%1» και «%2» (λόγος %3, διάστημα 95 %: %4· %5).</translation>
+    </message>
+    <message>
+        <source>The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
+        <translation>Το κατώφλι της «%1» είναι %2 φορές εκείνο της «%3» (διάστημα 95 %: %4· %5).</translation>
+    </message>
+    <message>
+        <source>unbounded in practice: too few participants</source>
+        <translation>πρακτικά απεριόριστο: πολύ λίγοι συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
+        <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι μπορεί να είναι κάτω από τη μικρότερη διαφορά που παρουσιάστηκε, αλλά δεν είναι γνωστό πόσο.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
+        <translation>Οι απαντήσεις είναι πολύ λίγες για να διακριθούν από τυχαίες: μόνο περισσότερες δοκιμές μπορούν να δείξουν αν έγινε αντιληπτή η διαφορά.</translation>
     </message>
 </context>
 <context>
@@ -8716,10 +8845,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>%1 % λιγότερο από την αναφορά είναι λιγότερο από το τίποτα.</translation>
     </message>
     <message>
-        <source>Also objects with less of the attribute than the reference.</source>
-        <translation>Και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
-    </message>
-    <message>
         <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
         <translation>Πόσες διαφορές υπάρχουν προς επιλογή. Κάθε αντικείμενο είναι μεγαλύτερο από το προηγούμενο κατά τον ίδιο συντελεστή.</translation>
     </message>
@@ -8730,6 +8855,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>The smallest difference has to be below the largest. The table was not changed.</source>
         <translation>Η μικρότερη διαφορά πρέπει να είναι κάτω από τη μεγαλύτερη. Ο πίνακας δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>Objects with less of the attribute than the reference are presented as well.</source>
+        <translation>Παρουσιάζονται και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
     </message>
 </context>
 <context>
@@ -10026,10 +10155,6 @@ Press again to end the trial without it.</source>
         <translation>Επιλογή άλλης άσκησης</translation>
     </message>
     <message>
-        <source>Last time: level %1, %2, %3</source>
-        <translation>Τελευταία φορά: επίπεδο %1, %2, %3</translation>
-    </message>
-    <message>
         <source>Well done. Choose any exercise to stay in practice.</source>
         <translation>Μπράβο. Επιλέξτε οποιαδήποτε άσκηση για να μείνετε σε φόρμα.</translation>
     </message>
@@ -10129,6 +10254,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>Everything is reviewed. A trainee&apos;s latest attempt at each level will appear here.</source>
         <translation>Όλα έχουν αξιολογηθεί. Εδώ θα εμφανίζεται η τελευταία προσπάθεια του εκπαιδευομένου σε κάθε επίπεδο.</translation>
+    </message>
+    <message>
+        <source>Last time: level %1 · %2 · %3</source>
+        <translation>Τελευταία φορά: επίπεδο %1 · %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -12003,8 +12132,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Η συνεδρία %1 παραμένει ακυρωμένη· δεν άλλαξε τίποτα.</translation>
     </message>
     <message>
-        <source>A cross in the scene shows where tissue gave way.</source>
-        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός.</translation>
+        <source>A cross in the scene shows where tissue gave way, or where an object of a study came off the tool.</source>
+        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός ή πού έφυγε από το εργαλείο αντικείμενο μιας μελέτης.</translation>
     </message>
 </context>
 <context>
@@ -12109,10 +12238,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Κάθε συμμετέχων κάνει και τις δύο συνθήκες</translation>
     </message>
     <message>
-        <source>Participants (of two groups: in each)</source>
-        <translation>Συμμετέχοντες (σε δύο ομάδες: ανά ομάδα)</translation>
-    </message>
-    <message>
         <source>Significance level, two-sided</source>
         <translation>Επίπεδο σημαντικότητας, δίπλευρο</translation>
     </message>
@@ -12127,10 +12252,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
         <translation>Το πόσο καλά βρίσκεται μια κορυφή προγραμματίζεται με τη δημοσιευμένη διασπορά των σημείων: %1 της ακτίνας ανά άξονα.</translation>
-    </message>
-    <message>
-        <source>How small a difference they feel, as a share of the reference.</source>
-        <translation>Πόσο μικρή διαφορά αισθάνονται, ως ποσοστό της αναφοράς.</translation>
     </message>
     <message>
         <source>How many people are compared.</source>
@@ -12203,6 +12324,14 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
         <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 και δύο ομάδες των %2 συμμετεχόντων</translation>
     </message>
+    <message>
+        <source>The just noticeable difference of these observers, as a share of the reference.</source>
+        <translation>Η ελάχιστη αντιληπτή διαφορά αυτών των παρατηρητών, ως ποσοστό της αναφοράς.</translation>
+    </message>
+    <message>
+        <source>Participants (with two groups: in each)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -12235,20 +12364,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Κατώφλι</translation>
     </message>
     <message>
-        <source>Thresholds between these are considered possible.</source>
-        <translation>Κατώφλια μεταξύ αυτών θεωρούνται πιθανά.</translation>
-    </message>
-    <message>
         <source>Spread</source>
         <translation>Διασπορά</translation>
-    </message>
-    <message>
-        <source>Spreads of the answers between these are considered possible.</source>
-        <translation>Διασπορές των απαντήσεων μεταξύ αυτών θεωρούνται πιθανές.</translation>
-    </message>
-    <message>
-        <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
-        <translation>Κλίσεις που θεωρούνται πιθανές: πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά. Συνήθως 1,5 έως 7.</translation>
     </message>
     <message>
         <source>%1 (%)</source>
@@ -12293,6 +12410,18 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>The largest value. The imported design spaces these values irregularly; after a change they are spaced regularly.</source>
         <translation>Η μεγαλύτερη τιμή. Το σχέδιο που εισήχθη κατανέμει τις τιμές ακανόνιστα· μετά από μια αλλαγή κατανέμονται ομοιόμορφα.</translation>
+    </message>
+    <message>
+        <source>Thresholds between these two values are considered possible.</source>
+        <translation>Κατώφλια μεταξύ αυτών των δύο τιμών θεωρούνται πιθανά.</translation>
+    </message>
+    <message>
+        <source>Spreads of the answers between these two values are considered possible.</source>
+        <translation>Διασπορές των απαντήσεων μεταξύ αυτών των δύο τιμών θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>Slopes that are considered possible: how steeply the share of right answers grows with the difference. Usually 1.5 to 7.</source>
+        <translation>Κλίσεις που θεωρούνται πιθανές: πόσο απότομα αυξάνεται το ποσοστό σωστών απαντήσεων με τη διαφορά. Συνήθως 1,5 έως 7.</translation>
     </message>
 </context>
 <context>
@@ -13869,10 +13998,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Χρόνος απάντησης</translation>
     </message>
     <message>
-        <source>Once the objects are gone; without an answer the trial comes again. 0: no limit.</source>
-        <translation>Αφού εξαφανιστούν τα αντικείμενα· χωρίς απάντηση η δοκιμή επαναλαμβάνεται. 0: χωρίς όριο.</translation>
-    </message>
-    <message>
         <source>Between trials</source>
         <translation>Ανάμεσα σε δοκιμές</translation>
     </message>
@@ -13883,10 +14008,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     <message>
         <source>Practice trials</source>
         <translation>Δοκιμές εξάσκησης</translation>
-    </message>
-    <message>
-        <source>At the largest difference, with feedback, before each condition; never scored.</source>
-        <translation>Με τη μεγαλύτερη διαφορά και ανατροφοδότηση, πριν από κάθε συνθήκη· ποτέ δεν βαθμολογούνται.</translation>
     </message>
     <message>
         <source>Participants rest before they go on; 0: never.</source>
@@ -13961,10 +14082,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Σειρά των συνθηκών</translation>
     </message>
     <message>
-        <source>How conditions follow each other from participant to participant. A Williams design also balances what comes after what.</source>
-        <translation>Πώς διαδέχονται η μία την άλλη οι συνθήκες από άτομο σε άτομο. Ένα σχέδιο Williams εξισορροπεί και τι ακολουθεί τι.</translation>
-    </message>
-    <message>
         <source>Blind participants</source>
         <translation>Τυφλότητα συμμετεχόντων</translation>
     </message>
@@ -13975,10 +14092,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     <message>
         <source>Blind experimenters</source>
         <translation>Τυφλότητα πειραματιστών</translation>
-    </message>
-    <message>
-        <source>Until the study is unblinded, conditions go by sealed codes.</source>
-        <translation>Ως την άρση της τυφλότητας οι συνθήκες φέρουν σφραγισμένους κωδικούς.</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -13999,10 +14112,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     <message>
         <source>Force error</source>
         <translation>Σφάλμα δύναμης</translation>
-    </message>
-    <message>
-        <source>Measured against commanded force, root mean square.</source>
-        <translation>Μετρημένη προς ζητούμενη δύναμη, τετραγωνικός μέσος.</translation>
     </message>
     <message>
         <source>Error of the felt value</source>
@@ -14049,10 +14158,6 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>κάθε άγγιγμα</translation>
     </message>
     <message>
-        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
-        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
-    </message>
-    <message>
         <source>A steady noise hides the sounds of the device. Participants are told of it where it is heard.</source>
         <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής. Οι συμμετέχοντες ενημερώνονται όπου ακούγεται.</translation>
     </message>
@@ -14079,6 +14184,30 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     <message>
         <source>After this many repeats the run pauses and asks the experimenter.</source>
         <translation>Μετά από τόσες επαναλήψεις η εκτέλεση σταματά και ρωτά τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>Time to answer once the objects are gone. Without an answer the trial is repeated. 0: no limit.</source>
+        <translation>Χρόνος απάντησης αφού εξαφανιστούν τα αντικείμενα. Χωρίς απάντηση η δοκιμή επαναλαμβάνεται. 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>Trials before each condition, at the largest difference and with feedback. They are never scored.</source>
+        <translation>Δοκιμές πριν από κάθε συνθήκη, με τη μεγαλύτερη διαφορά και με ανατροφοδότηση. Δεν βαθμολογούνται ποτέ.</translation>
+    </message>
+    <message>
+        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
+        <translation>Με ποια σειρά κάνει κάθε συμμετέχων τις συνθήκες. Ένα σχέδιο Williams εξισορροπεί και ποια συνθήκη ακολουθεί ποια.</translation>
+    </message>
+    <message>
+        <source>Until the study is unblinded, experimenters see sealed codes instead of the conditions.</source>
+        <translation>Ως την άρση της τυφλότητας οι πειραματιστές βλέπουν σφραγισμένους κωδικούς αντί για τις συνθήκες.</translation>
+    </message>
+    <message>
+        <source>How far the measured force may be from the commanded one, root mean square.</source>
+        <translation>Πόσο μπορεί να απέχει η μετρημένη δύναμη από τη ζητούμενη, τετραγωνικός μέσος.</translation>
     </message>
 </context>
 <context>
@@ -16528,10 +16657,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Δεν γίνεται με αυτή τη συσκευή</translation>
     </message>
     <message>
-        <source>Back to the participant</source>
-        <translation>Πίσω στον συμμετέχοντα</translation>
-    </message>
-    <message>
         <source>Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger device, or plan another reference in another study.</source>
         <translation>Λόγω της καθυστέρησής της, η συσκευή δεν αποδίδει καμία από τις διαφορές αυτής της συνθήκης. Χρησιμοποιήστε ταχύτερη ή ισχυρότερη συσκευή ή σχεδιάστε άλλη αναφορά σε άλλη μελέτη.</translation>
     </message>
@@ -16566,10 +16691,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Experimenter</source>
         <translation>Πειραματιστής</translation>
-    </message>
-    <message>
-        <source>Back to the participant (F2)</source>
-        <translation>Πίσω στον συμμετέχοντα (F2)</translation>
     </message>
     <message>
         <source>Go on with the study</source>
@@ -16927,6 +17048,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Συνέχεια» για να συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Back to the study</source>
+        <translation>Πίσω στη μελέτη</translation>
+    </message>
+    <message>
+        <source>Back to the participant&apos;s conditions</source>
+        <translation>Πίσω στις συνθήκες του συμμετέχοντα</translation>
+    </message>
+    <message>
+        <source>Back to the participant&apos;s page (F2)</source>
+        <translation>Πίσω στη σελίδα του συμμετέχοντα (F2)</translation>
     </message>
 </context>
 <context>
