@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/sitting_sentences.h"
 
-#include "desktop/studies/study_words.h"
-#include "desktop/study_run/study_controls.h"
+#include "desktop/studies/participant_sentences.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -15,19 +14,6 @@ struct SittingWords {
     Q_DECLARE_TR_FUNCTIONS(SittingSentences)
 };
 
-/// From the limits by which trials are judged (session::FidelityMeter).
-QString limitSentence(const psychophysics::FidelityLimits& limits, bool pulls, const QLocale& locale) {
-    constexpr double kCentimetres = 100.0;
-    const QString force = study_words::plainNumber(limits.peakForce_N, locale);
-    const QString speed = study_words::plainNumber(kCentimetres * limits.meanSpeed_m_per_s, locale);
-    return pulls ? SittingWords::tr("Pull gently and move calmly: a trial in which you pull with more than "
-                                    "%1 N, or move faster than %2 cm per second on average, is repeated.")
-                       .arg(force, speed)
-                 : SittingWords::tr("Press gently and move calmly: a trial in which you press with more than "
-                                    "%1 N, or move faster than %2 cm per second on average, is repeated.")
-                       .arg(force, speed);
-}
-
 } // namespace
 
 QString sittingSentences(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
@@ -35,7 +21,7 @@ QString sittingSentences(const psychophysics::StudyDesign& design, const psychop
     QStringList said;
     if (noise)
         said << SittingWords::tr("During the trials you hear a steady noise.");
-    said << limitSentence(design.fidelity, isTakenHold(condition.stimulus.attribute), locale);
+    said << limitSentence(design, condition, locale.name().section(u'_', 0, 0));
     return said.join(QLatin1Char(' '));
 }
 
