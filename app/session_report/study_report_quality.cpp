@@ -42,7 +42,7 @@ Tally tallyOf(const session::AnalysedCondition& condition) {
         tally.chosen += run.replayed.trials;
         tally.same += run.replayed.same + run.replayed.ties;
         for (const database::StudyTrial& trial : run.trials)
-            if (!trial.practice && !trial.spoiled.empty())
+            if (database::isRepeated(trial))
                 ++tally.why[trial.spoiled];
     }
     return tally;

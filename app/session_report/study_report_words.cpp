@@ -108,7 +108,7 @@ QString spoiled(const std::string& token) {
                                                {"untouched", Words::tr("Not all touched")},
                                                {"taken_back", Words::tr("Taken back")},
                                                {"experimenter", Words::tr("Discarded by the experimenter")},
-                                               {"stopped", Words::tr("Stopped")},
+                                               {"stopped", Words::tr("Interrupted")},
                                                {"withheld", Words::tr("Sealed reason")}};
     const auto found = words.find(token);
     return found == words.end() ? spaced(token) : found->second;

@@ -179,7 +179,7 @@ void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trial
         if (scored && trial.exploration_s > 0.0) { // in a simulation without rendering nothing was explored
             times.push_back(trial.exploration_s);
         }
-        if (!trial.practice && !trial.spoiled.empty()) {
+        if (isRepeated(trial)) {
             ++reasons[trial.spoiled];
         }
     }

@@ -169,6 +169,15 @@ struct StudyTrial {
     std::optional<bool> felt;
 };
 
+/// StudyTrial::spoiled of the trial at hand when a run was stopped.
+inline constexpr std::string_view kInterrupted = "stopped";
+
+/// Whether a trial did not count because something was wrong with it, so that it was presented again. Practice
+/// is never repeated in this sense, nor is the trial that a stop of the run interrupted.
+inline bool isRepeated(const StudyTrial& trial) {
+    return !trial.practice && !trial.spoiled.empty() && trial.spoiled != kInterrupted;
+}
+
 /// The quality of a participant's trials over all conditions together, so that it can be monitored while a
 /// study is blinded. Figures that depend on the objects (how often trials were repeated, how long they took)
 /// are given only once every condition is completed, because then they belong to no particular one.
@@ -187,7 +196,8 @@ struct ParticipantQuality {
     int presentations = 0;
     int practice = 0;                                 ///< of the presentations
     int scored = 0;                                   ///< of the presentations
-    std::vector<std::pair<std::string, int>> spoiled; ///< of the presentations: reason and count, by reason
+    /// Of the presentations, those that are repeated (isRepeated): reason and count, by reason.
+    std::vector<std::pair<std::string, int>> spoiled;
     double exploration_s = std::numeric_limits<double>::quiet_NaN(); ///< median over scored trials
 };
 

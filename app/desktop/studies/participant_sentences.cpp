@@ -270,6 +270,33 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
     return said + questions(view, words);
 }
 
+QString limitSentence(const StudyDesign& design, const psychophysics::Condition& condition,
+                      const QString& language) {
+    constexpr double kCentimetres = 100.0;
+    const LanguageWords words(language);
+    const auto with = [&words](double number, const char* unit) -> QString { // no line begins with the unit
+        return words.number(number) + QChar(QChar::Nbsp) + QLatin1String(unit);
+    };
+    const QString sentence =
+        session::isTakenHold(condition.stimulus.attribute)
+            ? words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                      "Pull gently and move calmly: a trial in which you pull with more than "
+                                      "%1, or move faster than %2 per second on average, is repeated."))
+            : words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                      "Press gently and move calmly: a trial in which you press with more "
+                                      "than %1, or move faster than %2 per second on average, is repeated."));
+    return sentence.arg(with(design.fidelity.peakForce_N, "N"),
+                        with(kCentimetres * design.fidelity.meanSpeed_m_per_s, "cm"));
+}
+
+QStringList limitSentences(const StudyDesign& design, const QString& language) {
+    QStringList said;
+    for (const psychophysics::Condition& condition : design.conditions)
+        if (const QString sentence = limitSentence(design, condition, language); !said.contains(sentence))
+            said << sentence;
+    return said;
+}
+
 const StudyText& ownSentences(const StudyDesign& design) {
     return design.ownInstructions ? *design.ownInstructions : design.instructions;
 }

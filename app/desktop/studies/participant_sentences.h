@@ -13,6 +13,13 @@ namespace chiron::desktop {
 /// `language` is the language of the texts, independent of the program's.
 QStringList participantSentences(const psychophysics::StudyDesign& design, const QString& language);
 
+/// The sentence that names the force and the speed from which on a trial of this condition is repeated
+/// (session::FidelityMeter). It is no part of the frozen instructions: participants read it before each part.
+QString limitSentence(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+                      const QString& language);
+/// The same of all conditions of a design, each sentence once.
+QStringList limitSentences(const psychophysics::StudyDesign& design, const QString& language);
+
 /// The researcher's own sentences in the instructions; the entire instructions if none have been generated
 /// from the settings yet.
 const psychophysics::StudyText& ownSentences(const psychophysics::StudyDesign& design);

@@ -163,12 +163,20 @@ QWidget* RulesPage::instructionsBox(const DesignPage& page) {
     words->setObjectName(QStringLiteral("design.instructions.shown"));
     words->setTextInteractionFlags(Qt::TextSelectableByMouse);
     shown.layout->addWidget(words);
+    auto* limits = kit::label(theme, {}, TextStyle::body);
+    limits->setObjectName(QStringLiteral("design.instructions.limits"));
+    limits->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    shown.layout->addWidget(limits);
+    if (page.masked)
+        limits->hide(); // the codes do not say what is done with their objects
     box.layout->addWidget(shown.frame);
-    const auto show = [words, readOnly = page.readOnly, &draft = page.draft, language = page.language] {
+    const auto show = [words, limits, readOnly = page.readOnly, &draft = page.draft,
+                       language = page.language] {
         StudyDesign design = draft.design();
         if (!readOnly)
             renewInstructions(design); // as it will be stored with the next change
         words->setText(study_words::text(shownInstructions(design), language));
+        limits->setText(limitSentences(design, language).join(QLatin1Char(' ')));
     };
     connect(&page.draft, &StudyDraft::changed, words, show);
     show();

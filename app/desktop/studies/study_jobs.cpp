@@ -44,7 +44,7 @@ core::Result<void> addTrials(database::StudyReader& reader, PilotRow& row) {
             const auto trials = reader.studyTrials(run.id);
             CHIRON_TRY(trials);
             for (const database::StudyTrial& trial : *trials) {
-                row.spoiled += trial.spoiled.empty() ? 0 : 1;
+                row.spoiled += database::isRepeated(trial) ? 1 : 0;
                 row.scored += counts(trial) ? 1 : 0;
                 seconds += counts(trial) ? trial.exploration_s + std::max(0.0, trial.answer_s) : 0.0;
             }

@@ -66,7 +66,7 @@ struct ParticipantRow {
 struct PilotRow {
     database::StudySummary summary;
     int scored = 0;               ///< number of scored trials
-    int spoiled = 0;              ///< number of spoiled trials
+    int spoiled = 0;              ///< number of repeated trials (database::isRepeated)
     double secondsPerTrial = 0.0; ///< mean over the scored trials, without practice
 };
 

@@ -248,7 +248,7 @@ QString spoiled(std::string_view token) {
         {"untouched", Words::tr("Not all touched")},
         {"taken_back", Words::tr("Taken back")},
         {"experimenter", Words::tr("Discarded by the experimenter")},
-        {"stopped", Words::tr("Stopped")},
+        {"stopped", Words::tr("Interrupted")},
         {"withheld", Words::tr("Sealed reason")}};
     return oneOf(words, token);
 }

@@ -16,7 +16,9 @@ ApexStage::ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
-    m_scene = scene3d::makeSceneView(sceneSetupOf(level, m_cues, theme, look.leftHanded), this).view;
+    scene3d::SceneSetup setup = sceneSetupOf(level, m_cues, theme, look.leftHanded);
+    setup.forceLimit_N = look.forceLimit_N;
+    m_scene = scene3d::makeSceneView(setup, this).view;
     m_scene->widget()->setAccessibleName(tr("Scene"));
     m_scene->widget()->setFocusPolicy(Qt::StrongFocus);
     column->addWidget(m_scene->widget(), 1);

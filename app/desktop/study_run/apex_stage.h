@@ -25,6 +25,7 @@ public:
     struct Look {
         bool felt = true; ///< the device renders force
         bool leftHanded = false;
+        double forceLimit_N = 4.0; ///< the largest force allowed, marked at the force bar
     };
     ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look,
               QWidget* parent = nullptr);

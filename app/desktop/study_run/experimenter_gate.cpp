@@ -12,11 +12,9 @@
 
 namespace chiron::desktop {
 
-ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent)
+ExperimenterGate::ExperimenterGate(AppContext& context, const QString& words, QWidget* parent)
     : FormDialog(context, QStringLiteral("gate"), tr("For the experimenter"), parent) {
-    column()->addWidget(
-        kit::label(theme(), tr("The session is paused. Enter your password to see the experimenter's view."),
-                   TextStyle::body));
+    column()->addWidget(kit::label(theme(), words, TextStyle::body));
     m_password = form::passwordField(theme(), column(), tr("Password of %1").arg(context.shownName()),
                                      QStringLiteral("gate.password"));
     m_note = new FieldNote(theme(), *column(), *m_password);

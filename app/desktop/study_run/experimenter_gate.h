@@ -14,7 +14,8 @@ class FieldNote;
 class ExperimenterGate final : public FormDialog {
     Q_OBJECT
 public:
-    ExperimenterGate(AppContext& context, QWidget* parent);
+    /// `words`: what the session does meanwhile, and what the password is for.
+    ExperimenterGate(AppContext& context, const QString& words, QWidget* parent);
 
 signals:
     void opened();

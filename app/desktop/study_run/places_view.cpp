@@ -19,6 +19,7 @@ constexpr double kFloor = 0.62;        // height of y = 0, z = 0 as a share of t
 constexpr double kPadHeight_m = 0.006;
 constexpr double kShaft_m = 0.09;
 constexpr double kFootRadius_m = 0.0102; // of the foot below a tube or an object
+constexpr double kLimitShare = 0.8;      // of the force bar's height at which the limit is marked
 
 } // namespace
 
@@ -115,6 +116,15 @@ void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     painter.drawEllipse(end, radius, radius);
 }
 
+/// The line below which the tool lets go, the same at every object whatever it is made of.
+void PlacesView::paintLetGo(QPainter& painter, double x_m) const {
+    if (m_setup.letGoHeight_m <= 0.0)
+        return;
+    painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2), Qt::DashLine));
+    painter.drawLine(project(x_m - kFootRadius_m, 0, m_setup.letGoHeight_m),
+                     project(x_m + kFootRadius_m, 0, m_setup.letGoHeight_m));
+}
+
 /// One font for all places, small enough for the longest name to fit between the others at large scales.
 QFont PlacesView::nameFont(double width_px) const {
     QFont font = m_theme.font(TextStyle::strong);
@@ -157,6 +167,7 @@ void PlacesView::paintPlace(QPainter& painter, int place) const {
     const double x_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
     if (m_now.objects && m_setup.visible) {
         m_setup.hooked ? paintHook(painter, x_m, m_now.place == place) : paintPad(painter, x_m);
+        paintLetGo(painter, x_m);
     } else {
         const double rx = m_setup.padRadius_m * 1.25 * pixelsPerMetre(0.0);
         painter.setBrush(Qt::NoBrush);
@@ -189,17 +200,21 @@ void PlacesView::paintTool(QPainter& painter) const {
 }
 
 void PlacesView::paintForce(QPainter& painter) const {
-    // No force is felt, so a bar beside the scene shows it, without a number.
+    // No force is felt, so a bar beside the scene shows it, with a mark at the limit and without a number.
     const QRectF bar(width() - m_theme.px(34), m_theme.px(20), m_theme.px(14), height() - m_theme.px(40));
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
     painter.setBrush(m_theme.color(Colour::surface));
     painter.drawRoundedRect(bar, m_theme.px(4), m_theme.px(4));
-    const double share = std::clamp(m_now.force_N / m_now.limit_N, 0.0, 1.0);
+    const double share = std::clamp(kLimitShare * m_now.force_N / m_now.limit_N, 0.0, 1.0);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(m_theme.color(Colour::accent));
+    painter.setBrush(m_theme.color(share > kLimitShare ? Colour::bad : Colour::accent));
     painter.drawRoundedRect(QRectF(bar.left() + m_theme.px(2), bar.bottom() - share * bar.height(),
                                    bar.width() - m_theme.px(4), share * bar.height()),
                             m_theme.px(3), m_theme.px(3));
+    const double limitY = bar.bottom() - kLimitShare * bar.height();
+    painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2)));
+    painter.drawLine(QPointF(bar.left() - m_theme.px(5), limitY),
+                     QPointF(bar.right() + m_theme.px(5), limitY));
 }
 
 void PlacesView::paintEvent(QPaintEvent*) {

@@ -19,6 +19,8 @@ struct PlacesSetup {
     double padRadius_m = 0.009;
     double gripHeight_m = 0.03; ///< simulation::gripZone
     double gripRadius_m = 0.006;
+    /// A line at each object, below which the tool lets go of it (simulation::letGoHeight_m); 0: none.
+    double letGoHeight_m = 0.0;
     bool hooked = false; ///< the tool takes hold of it (a tube, an object) instead of pressing it (a pad)
     bool visible = true; ///< the objects are drawn; otherwise only their positions
     QStringList names;   ///< labels below the positions: "1" ...
@@ -38,7 +40,7 @@ public:
         int place = -1;            ///< the place being touched; -1: none
         bool feltNothing = false;  ///< the device renders no force, so force is shown as a bar
         double force_N = 0.0;
-        double limit_N = 4.0;
+        double limit_N = 4.0; ///< the largest force allowed, marked at the bar
     };
     void show(const haptics::DisplayState& state, const Now& now);
     /// Marks at the places ("1st" of a ranking); empty strings for none.
@@ -54,6 +56,7 @@ private:
     void paintPlace(QPainter& painter, int place) const;
     void paintPad(QPainter& painter, double x_m) const;
     void paintHook(QPainter& painter, double x_m, bool held) const;
+    void paintLetGo(QPainter& painter, double x_m) const;
     QFont nameFont(double width_px) const;
     void paintName(QPainter& painter, int place) const;
     void paintTool(QPainter& painter) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/study_controls.h"
 
-#include "simulation/comparison/comparison_parameters.h"
+#include "session/study/participant_view.h"
 
 #include <QCoreApplication>
 
@@ -23,20 +23,20 @@ ControlHint moveHint(const StudyHand& hand) {
                                       Words::tr("Take the handle and move it over the objects.")};
 }
 
-ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
-    if (hand.pointer)
-        return isTakenHold(attribute)
-                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"),
-                                 Words::tr("Lower the tool into the ring: roll the wheel towards you, or "
-                                           "hold Page Down. To pull, roll it away from you, or hold Page Up. "
-                                           "To let go, lower the tool well below the ring, then raise it.")}
-                   : ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
-                                 Words::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it "
-                                           "away from you, or hold Page Up.")};
-    return isTakenHold(attribute)
-               ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"),
-                             Words::tr("Lower the tip into the ring, then raise the handle. To let go, push "
-                                       "it well below the ring, then raise it.")}
+ControlHint exploreHint(Attribute attribute, const StudyHand& hand, const QString& letGo) {
+    if (session::isTakenHold(attribute)) {
+        const QString pull =
+            hand.pointer
+                ? Words::tr("Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To "
+                            "pull, roll it away from you, or hold Page Up.")
+                : Words::tr("Lower the tip into the ring, then raise the handle.");
+        return {hand.pointer ? Pictogram::wheelAway : Pictogram::pressStylus, Words::tr("Take hold and pull"),
+                pull + QLatin1Char(' ') + letGo};
+    }
+    return hand.pointer
+               ? ControlHint{Pictogram::wheelTowards, Words::tr("Press"),
+                             Words::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it "
+                                       "away from you, or hold Page Up.")}
                : ControlHint{
                      Pictogram::pressStylus, Words::tr("Press"),
                      Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
@@ -73,19 +73,24 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
 
 } // namespace
 
-bool isTakenHold(Attribute attribute) {
-    // Both enumerations have the same order.
-    return attribute != Attribute::apex &&
-           simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute));
+QString letGoSentence(Attribute attribute, const LetGo& letGo, const QLocale& locale) {
+    constexpr double kMm = 1000.0;
+    if (attribute == Attribute::mass)
+        return Words::tr("To let go, set the object down and press it lightly onto the table, then raise the "
+                         "tool.");
+    return letGo.drawn ? Words::tr("To let go, lower the tool below the dashed line, then raise it.")
+                       : Words::tr("To let go, lower the tool %1 mm below the ring, then raise it.")
+                             .arg(locale.toString(letGo.below_m * kMm, 'g', 3));
 }
 
-std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand) {
+std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand,
+                                       const LetGo& letGo, const QLocale& locale) {
     const bool click = attribute == Attribute::apex;
     const Pictogram answer = hand.pointer ? (click ? Pictogram::leftClick : Pictogram::keys)
                              : click      ? Pictogram::stylusButton
                                           : Pictogram::keys;
     return {moveHint(hand),
-            exploreHint(attribute, hand),
+            exploreHint(attribute, hand, letGoSentence(attribute, letGo, locale)),
             {answer, Words::tr("Answer"), answerHow(task, attribute, hand)}};
 }
 

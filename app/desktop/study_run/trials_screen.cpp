@@ -36,7 +36,6 @@ using State = session::LiveStudyView::State;
 
 namespace {
 constexpr int kFrame_ms = 16;
-constexpr int kOnePress_ms = 600;      // shorter than the time between two trials, longer than a double press
 constexpr double kFreeMinute_s = 60.0; // long enough to try every control, short enough not to tire
 
 QString paragraphs(QStringList texts) {
@@ -130,7 +129,10 @@ void TrialsScreen::begin() {
 void TrialsScreen::showInstructions() {
     if (m_live->view().firstPart)
         return showWholeInstructions();
-    m_break->say(tr("The next part"), paragraphs({partText(), furtherPartText()}), tr("Continue (Enter)"));
+    m_break->say(tr("The next part"),
+                 paragraphs({partText(), furtherPartText(),
+                             limitSentence(m_live->design(), m_live->condition(), context().language())}),
+                 tr("Continue (Enter)"));
     m_break->offer(tr("Read the whole instruction again"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
@@ -199,7 +201,8 @@ void TrialsScreen::showCard() {
     facts.level = tr("This is how you explore and answer");
     facts.goal = m_apex ? tr("Where is the highest point?")
                         : study_words::question(condition.task, condition.stimulus.attribute);
-    facts.controls = studyControls(condition.task, condition.stimulus.attribute, hand);
+    facts.controls =
+        studyControls(condition.task, condition.stimulus.attribute, hand, letGo(), context().locale());
     facts.keys = studyKeys(condition.task, condition.stimulus.attribute, hand);
     facts.limit = felt_words::objects(hand.felt);
     facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. "
@@ -220,7 +223,7 @@ void TrialsScreen::go() {
     if (!running() || m_begun)
         return;
     m_begun = true;
-    m_wentOn.start();
+    m_changed.start();
     m_break->say(tr("One moment …"), {}, {});
     m_stage->setCurrentWidget(m_break); // until the scene is ready, which then takes focus and pointer
     m_card->hide();
@@ -262,12 +265,12 @@ void TrialsScreen::onBreakButton() {
         return leave();
     if (!running())
         return;
+    m_changed.start();
     if (!m_begun) {
         if (!m_card)
             showCard();
         return;
     }
-    m_wentOn.start();
     switch (m_live->view().state) {
     case State::tried:
         m_live->endTrying();
@@ -296,16 +299,16 @@ bool TrialsScreen::isPage() const {
            (m_stage->currentWidget() == m_break || (m_card && m_stage->currentWidget() == m_card));
 }
 
-/// A key press within kOnePress_ms after a page appears was meant for the previous view, and a second press
-/// for the previous page; both are ignored. If the experimenter must come, or force was removed, continuing
-/// is not the only possible action.
+/// A key press within kOnePress_ms after the page has changed was meant for what it showed before, as is the
+/// second press of two.
+bool TrialsScreen::keysAreEarly() const {
+    return m_page->isVisible() && m_changed.isValid() && m_changed.elapsed() < kOnePress_ms;
+}
+
+/// If the experimenter must come, or force was removed, continuing is not the only possible action.
 bool TrialsScreen::goOnByKey() {
-    if (m_wentOn.isValid() && m_wentOn.elapsed() < kOnePress_ms)
-        return true;
     if (!isPage())
         return false;
-    if (m_pageCame.isValid() && m_pageCame.elapsed() < kOnePress_ms)
-        return true;
     const State state = m_live ? m_live->view().state : State::starting;
     if (m_begun && (state == State::needsExperimenter || state == State::stopped || state == State::starting))
         return true;
@@ -387,6 +390,7 @@ void TrialsScreen::askToStop() {
     if (!here)
         return; // left meanwhile
     m_asking = false;
+    m_changed.start();
     if (running() && !m_live->finished() && box.clickedButton() == stop)
         m_live->stop();
 }

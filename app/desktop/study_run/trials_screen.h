@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/frame/screen.h"
+#include "desktop/study_run/study_controls.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/sound_cue_player.h"
@@ -89,10 +90,18 @@ private:
     QString whyNoAnswer(const session::LiveStudyView& view) const;
     QString exploringWords(const session::LiveStudyView& view) const;
     QString apexWords(const session::LiveStudyView& view) const;
+    QString holdWords(const session::LiveStudyView& view) const;
+    /// What to do if the hand uses nearly the largest force allowed; otherwise empty.
+    QString gentlerText(const session::LiveStudyView& view) const;
     QString stoppedText() const;
     QString afterStopText() const;
     QString endText(const core::Result<session::LiveStudyResult>& result) const;
     QString triedText() const;
+    void cameByItself();
+    /// Whether a key may still be meant for what the page showed before it changed.
+    bool keysAreEarly() const;
+    /// What the participant reads at the end: whether they are done, what comes next, and who decides.
+    void sayEnd();
     /// "Trial 3 of 12"; does not reveal the state of the procedure.
     QString trialText(const session::LiveStudyView& view) const;
     QString repeatedText(const session::LiveStudyView& view) const;
@@ -135,6 +144,8 @@ private:
     /// Enter or Space on a page where continuing is the only action. Returns false if the key has another
     /// meaning.
     bool goOnByKey();
+    bool pulls() const; ///< objects are held and pulled
+    LetGo letGo() const;
     bool isPage() const; ///< a page to read, not a trial
     void answer(int answer, std::optional<double> value);
     void mark(); ///< marks the apex ("here it is")
@@ -149,6 +160,8 @@ private:
     void toggleExperimenter();
     void freePointer();
     void capturePointer();
+    /// Longer than a double press, and than it takes to notice a page.
+    static constexpr int kOnePress_ms = 600;
     bool running() const { return m_live && !m_over; }
 
     QString m_participant;
@@ -195,9 +208,9 @@ private:
     bool m_begun = false; ///< the instructions have been read
     bool m_whole = false; ///< the whole instructions are, or were, on the page
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
-    /// Time since a page appeared without a key press, while the participant was doing something else.
-    QElapsedTimer m_pageCame;
-    QElapsedTimer m_wentOn; ///< time since a key press continued
+    /// Time since what Enter and Space do on the page has changed, by itself or by a key press.
+    QElapsedTimer m_changed;
+    bool m_pausedByKey = false; ///< the participant has just paused: the page that comes is no surprise
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;
     int m_sessions = 0; ///< session whose pointer is connected

@@ -18,6 +18,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
+#include "session/study/participant_view.h"
 #include "simulation/comparison/comparison_parameters.h"
 
 #include <QApplication>
@@ -221,7 +222,8 @@ void TrialsScreen::buildLive() {
 }
 
 void TrialsScreen::buildApex() {
-    m_apex = new ApexStage(context().theme(), m_live->level(), {m_live->training().felt(), false});
+    m_apex = new ApexStage(context().theme(), m_live->level(),
+                           {m_live->training().felt(), false, m_live->design().fidelity.peakForce_N});
     m_apex->setObjectName(QStringLiteral("trials.apex"));
     static_cast<QVBoxLayout*>(m_trial->layout())->addWidget(m_apex, 1);
     connect(m_apex, &ApexStage::markAsked, this, &TrialsScreen::mark);
@@ -232,6 +234,18 @@ QWidget& TrialsScreen::area() {
 }
 QObject& TrialsScreen::source() {
     return m_apex ? m_apex->source() : *m_places;
+}
+
+bool TrialsScreen::pulls() const {
+    return session::isTakenHold(m_live->condition().stimulus.attribute);
+}
+
+LetGo TrialsScreen::letGo() const {
+    LetGo where;
+    where.drawn = m_live->design().trial.visibleObjects;
+    if (const auto* parameters = m_live->level().parameters.find<simulation::ComparisonParameters>())
+        where.below_m = parameters->hookLeave_m;
+    return where;
 }
 
 void TrialsScreen::buildPlaces() {
@@ -246,6 +260,7 @@ void TrialsScreen::buildPlaces() {
         const simulation::GripZone grip = simulation::gripZone(*parameters);
         setup.gripHeight_m = grip.height_m;
         setup.gripRadius_m = grip.radius_m;
+        setup.letGoHeight_m = simulation::letGoHeight_m(*parameters);
         setup.hooked = simulation::isHooked(parameters->attribute);
     }
     setup.names = AnswerPanel::placeNames(setup.places);
@@ -270,14 +285,17 @@ void TrialsScreen::buildPlaces() {
 void TrialsScreen::buildKeys() {
     // The filter follows the page to any window, because keys typed at the desk are not answers.
     m_keys = new KeyFilter(*m_page);
+    m_keys->setEarly([this] { return keysAreEarly(); });
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
         if (m_card && isPage() && m_card->readOn())
             return; // Space reads to the end first
         if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isPage())
             button->click(); // Space presses the focused button, like Enter
-        else if (!goOnByKey())
+        else if (!goOnByKey()) {
+            m_pausedByKey = true;
             pauseOrResume();
+        }
     });
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {

@@ -11,6 +11,7 @@
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/widgets/state_panel.h"
+#include "session/study/participant_view.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -53,8 +54,12 @@ void TrialsScreen::bringBack() {
     m_faces->insertWidget(0, m_page);
     m_call->show();
     m_toPage->setVisible(running());
-    m_deskNote->setText(tr("The participant's screen is no longer connected. The session is paused, and "
-                           "everything so far is kept. The participant's page is in this window now."));
+    m_deskNote->setText(
+        running() ? tr("The participant's screen is no longer connected. The session is paused, and "
+                       "everything so far is kept. The participant's page is in this window now.")
+                  : m_ended + QLatin1Char('\n') +
+                        tr("The participant's screen is no longer connected. The participant's page is in "
+                           "this window now."));
 }
 
 /// Whether the experimenter must identify themselves before anybody sees the desk or continues.
@@ -75,7 +80,11 @@ void TrialsScreen::callExperimenter(std::function<void()> then) {
         return;
     }
     m_gate = true;
-    auto* gate = new ExperimenterGate(context(), window());
+    auto* gate = new ExperimenterGate(
+        context(),
+        running() ? tr("The session is paused. Enter your password to see the experimenter's view.")
+                  : tr("The session is over. Enter your password to go on with the study."),
+        window());
     connect(gate, &ExperimenterGate::opened, this, [this, then = std::move(then)] {
         m_gate = false;
         then();
@@ -100,6 +109,7 @@ void TrialsScreen::showPage() {
         return;
     m_faces->setCurrentWidget(m_page);
     m_break->focusButton();
+    m_changed.start(); // the experimenter's second press does not go on for the participant
 }
 
 /// Handles F2 and "Experimenter …".
@@ -142,25 +152,53 @@ void TrialsScreen::clearHead(const QString& note) {
     m_deskNote->setText(note);
 }
 
-/// Looks the same for everybody, whatever the result of the session.
-void TrialsScreen::showEnd(const QString& what) {
-    m_ended = what;
-    m_panel->showContent();
+/// Nothing on it tells how the answers were.
+void TrialsScreen::sayEnd() {
+    const core::Result<session::LiveStudyResult>& result = m_live->result();
+    const int left = m_live->view().partsToCome;
     if (isPilot())
         m_break->say(tr("The pilot run is over"), tr("What was tried does not count as data of the study."),
                      tr("Go on"));
+    else if (!result)
+        m_break->say(tr("The session was stopped"), tr("Please call the experimenter."), {});
+    else if (!result->completed)
+        m_break->say(tr("The session was stopped"),
+                     tr("This part is not finished; your answers so far are kept. Please call the "
+                        "experimenter, who decides when it goes on."),
+                     {});
+    else if (left > 0)
+        m_break->say(tr("This part is finished"),
+                     tr("Thank you. %n more part(s) follow. Please call the experimenter, who decides when "
+                        "the next one begins.",
+                        nullptr, left),
+                     {});
+    else if (session::participantView(m_live->design()).questionsAfter > 0)
+        m_break->say(
+            tr("All trials are finished"),
+            tr("Thank you. Only some questions about the study follow. Please call the experimenter, "
+               "who opens them."),
+            {});
     else
-        m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
+        m_break->say(tr("Everything is finished"),
+                     tr("Thank you. Nothing more is left for you to do in this study. Please call the "
+                        "experimenter."),
+                     {});
+}
+
+void TrialsScreen::showEnd(const QString& what) {
+    m_ended = what;
+    m_panel->showContent();
+    sayEnd();
     m_break->countDown(-1.0, 0.0);
     m_stage->setCurrentWidget(m_break);
     clearHead(what);
     // Keys on the participant's page call nobody: only a pilot run goes on from there.
     if (atDesk())
         m_leave->setFocus(Qt::OtherFocusReason);
-    else if (isPilot())
-        m_break->focusButton();
     else
         m_page->setFocus(Qt::OtherFocusReason);
+    if (!atDesk() && isPilot()) // not at once: a key that was meant for the last trial leaves nothing
+        QTimer::singleShot(kOnePress_ms, m_break, [this] { m_break->focusButton(); });
 }
 
 QVariant TrialsScreen::triedStudy() const {

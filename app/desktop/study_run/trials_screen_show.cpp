@@ -51,19 +51,27 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         showScene(view);
     } else {
         const bool comes = m_stage->currentWidget() != m_break;
-        if (comes) {
+        if (comes)
             freePointer();
-            view.state == State::paused ? m_pageCame.invalidate() : m_pageCame.start();
-        }
         showBreak(view);
-        if (comes && view.state != State::paused)
-            // The page appeared by itself, and a key meant for the trial must press no button.
-            m_page->setFocus(Qt::OtherFocusReason);
+        if ((comes || changed) && !(view.state == State::paused && m_pausedByKey))
+            cameByItself();
     }
+    m_pausedByKey = false;
     m_keys->setHeld(!scene);
     hearMasking(scene);
     if (changed && m_answers && view.state == State::coming)
         m_answers->clear();
+}
+
+/// A page has appeared that the participant did not call: a key that was pressed before it could be seen
+/// presses nothing on it.
+void TrialsScreen::cameByItself() {
+    if (!m_page->isVisible())
+        return;
+    m_page->setFocus(Qt::OtherFocusReason);
+    m_break->repaint(); // so that the time begins when the page can be seen
+    m_changed.start();
 }
 
 bool TrialsScreen::noisePlays() const {
@@ -110,13 +118,17 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
         ends
             ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
         : free ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
-        : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
+        : view.mayTakeBack ? tr("Practice: this answer does not count. Press Next to go on, or take it back "
+                                "if it was a slip.")
         : view.practice    ? tr("Practice: nothing counts yet.")
                            : trialText(view));
     m_repeated->setText(free || view.practice ? QString() : repeatedText(view));
     m_takeBack->setVisible(view.mayTakeBack);
     m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
-    m_enough->setVisible(trying || view.mayTakeBack);
+    const bool offered = trying || view.mayTakeBack;
+    if (offered && m_enough->isHidden())
+        m_changed.start(); // Enter presses this button from now on
+    m_enough->setVisible(offered);
     const double most_s = m_live->design().trial.exploreLimit_s;
     m_time->setVisible(!free && view.timeLeft_s > 0.0);
     if (most_s > 0.0)
@@ -158,23 +170,23 @@ static QString harderWords(const session::LiveStudyView& view, bool pulls, const
 
 /// Says what the tool holds or has just let go of, and what to do with it. Empty if it has held nothing in
 /// this trial.
-static QString holdWords(const session::LiveStudyView& view) {
+QString TrialsScreen::holdWords(const session::LiveStudyView& view) const {
     const int place = view.place >= 0 ? view.place : view.letGo;
     if (place < 0)
         return {};
     const QString name = namesOfPlaces(view, 1U << place);
     const bool one = view.places == 1;
     if (view.place < 0)
-        return one ? TrialsScreen::tr("You let go of the object. Raise the tool.")
-                   : TrialsScreen::tr("You let go of %1. Raise the tool.").arg(name);
+        return one ? tr("You let go of the object. Raise the tool.")
+                   : tr("You let go of %1. Raise the tool.").arg(name);
     if (((view.touched >> place) & 1U) == 0)
-        return one ? TrialsScreen::tr("You hold the object. Pull it up.")
-                   : TrialsScreen::tr("You hold %1. Pull it up.").arg(name);
-    return one ? TrialsScreen::tr("You hold the object. To let go, lower the tool well below the ring, then "
-                                  "raise it.")
-               : TrialsScreen::tr(
-                     "You hold %1. To let go, lower the tool well below its ring, then raise it.")
-                     .arg(name);
+        return one ? tr("You hold the object. Pull it up.") : tr("You hold %1. Pull it up.").arg(name);
+    return (one ? tr("You hold the object.") : tr("You hold %1.").arg(name)) + QLatin1Char(' ') +
+           letGoSentence(m_live->condition().stimulus.attribute, letGo(), context().locale());
+}
+
+QString TrialsScreen::gentlerText(const session::LiveStudyView& view) const {
+    return !view.nearForceLimit ? QString() : pulls() ? tr("Pull less hard.") : tr("Press less hard.");
 }
 
 static QString untouchedWords(double probe_N, const QLocale& locale) {
@@ -216,24 +228,23 @@ QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, doubl
 QString TrialsScreen::repeatedText(const session::LiveStudyView& view) const {
     if (view.repeated.empty())
         return {};
-    const bool pulls = !m_apex && isTakenHold(m_live->condition().stimulus.attribute);
     return tr("The last trial did not count. %1 %2")
-        .arg(repeatedWords(view.repeated, pulls, view.probe_N, context().locale()), comesAgainText());
+        .arg(repeatedWords(view.repeated, pulls(), view.probe_N, context().locale()), comesAgainText());
 }
 
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying: {
-        const QString held =
-            isTakenHold(m_live->condition().stimulus.attribute) ? holdWords(view) : QString();
+        if (view.nearForceLimit)
+            return gentlerText(view);
+        const QString held = pulls() ? holdWords(view) : QString();
         return held.isEmpty() ? tr("You will answer here once the trials begin.") : held;
     }
     case State::coming:
         if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones
             return tr("The next objects are coming. Lift the tool off.");
         if (!view.hand.empty())
-            return tr("%1 These objects come again. Lift the tool off.")
-                .arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
+            return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, pulls()));
         return view.again ? tr("%1 These objects come again. Lift the tool off.")
                                 .arg(untouchedWords(view.probe_N, context().locale()))
                           : tr("The next objects are coming. Lift the tool off.");
@@ -241,7 +252,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
         return tr("Hold still for a moment, then you can go on.");
     case State::feedback:
         if (!view.hand.empty())
-            return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
+            return handWords(view.hand, pulls());
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
         return exploringWords(view);
@@ -253,12 +264,13 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
 }
 
 QString TrialsScreen::exploringWords(const session::LiveStudyView& view) const {
-    const bool pulls = isTakenHold(m_live->condition().stimulus.attribute);
+    if (view.nearForceLimit)
+        return gentlerText(view);
     const QString missing = missingObjects(view);
-    const QString held = pulls && !missing.isEmpty() ? holdWords(view) : QString();
+    const QString held = pulls() && !missing.isEmpty() ? holdWords(view) : QString();
     if (view.canAnswer)
         return held;
-    if (const QString harder = harderWords(view, pulls, context().locale()); !harder.isEmpty())
+    if (const QString harder = harderWords(view, pulls(), context().locale()); !harder.isEmpty())
         return harder;
     const bool pullsNow = view.place >= 0 && ((view.touched >> view.place) & 1U) == 0;
     if (held.isEmpty())
@@ -269,13 +281,15 @@ QString TrialsScreen::exploringWords(const session::LiveStudyView& view) const {
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying:
-        return tr("Find the highest point, and mark it.");
+        return view.nearForceLimit ? gentlerText(view) : tr("Find the highest point, and mark it.");
     case State::coming:
         return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
         return tr("%1 mm from the highest point.")
             .arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
+        if (view.nearForceLimit)
+            return gentlerText(view);
         return view.canAnswer ? tr("Click or press Enter at the highest point.")
                               : tr("Find the sphere first.");
     default:
@@ -299,6 +313,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
     now.feltNothing = !m_live->training().felt();
     const core::Array6& tissue = state.tool[0].tissue;
     now.force_N = std::hypot(tissue[0], tissue[1], tissue[2]);
+    now.limit_N = m_live->design().fidelity.peakForce_N;
     m_places->show(state, now);
     m_answers->setOpen(view.canAnswer, whyNoAnswer(view));
 }
@@ -366,7 +381,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
                      tr("Continue (Enter)"));
         break;
     default:
-        m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
+        sayEnd();
         break;
     }
     m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0,

@@ -93,6 +93,8 @@ void KeyFilter::act(const QKeyEvent& event) {
         emit toolKey(key, event.type() == QEvent::KeyPress);
     } else if (key == Qt::Key_Escape) {
         emit stopAsked();
+    } else if ((key == Qt::Key_Space || isEnter(key)) && m_early && m_early()) {
+        return;
     } else if (key == Qt::Key_Space) {
         emit pauseAsked();
     } else if (key == Qt::Key_R) {

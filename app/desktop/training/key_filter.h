@@ -3,7 +3,9 @@
 
 #include <QObject>
 #include <QPointer>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 class QKeyEvent;
@@ -29,6 +31,9 @@ public:
     void setActive(bool active);                                   ///< from start to end of the session
     /// While paused or stopped, Esc keeps its usual meaning in dialogs and text fields.
     void setHeld(bool held) { m_held = held; }
+    /// While `early` says so, Enter and Space are taken and do nothing: they were meant for what the screen
+    /// showed before. By default never.
+    void setEarly(std::function<bool()> early) { m_early = std::move(early); }
     /// Empty until the first call.
     void setToolKeys(std::span<const int> keys) { m_toolKeys.assign(keys.begin(), keys.end()); }
     /// F: the exercise has the depth-of-field switch.
@@ -65,6 +70,7 @@ private:
     bool m_depthOfFieldKey = false;
     bool m_panelKeys = false;
     std::vector<int> m_toolKeys;
+    std::function<bool()> m_early;
 };
 
 } // namespace chiron::desktop

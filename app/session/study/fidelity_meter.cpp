@@ -20,6 +20,8 @@ constexpr double kTrail = 1.5, kTrail_m = 0.0005;
 constexpr double kTaut_m = 0.0005;
 constexpr double kAir_m = 0.002; ///< an object lifted higher than this lies on nothing
 constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
+/// Shares of the largest force allowed: it is near from the first one on, until it is below the second one.
+constexpr double kNear = 0.8, kNotNear = 0.7;
 constexpr double kUsableError = 0.05; ///< a fit with a larger relative standard error is not used
 
 double norm(const std::array<double, 3>& v) {
@@ -55,8 +57,10 @@ void FidelityMeter::begin(const std::vector<double>& asked) {
 }
 
 void FidelityMeter::add(const FidelitySample& sample) {
-    if (sample.phase != core::TrialPhase::running)
+    if (sample.phase != core::TrialPhase::running) {
+        m_nearForceLimit = false;
         return;
+    }
     if (m_last_ns != 0) {
         const double late_ns = static_cast<double>(sample.now_ns - m_last_ns) - 1e6;
         m_late += late_ns > kLate_ns ? 1 : 0;
@@ -81,11 +85,16 @@ void FidelityMeter::add(const FidelitySample& sample) {
             m_places[i].touching = false;
             m_places[i].sumTerminal_N += m_places[i].contactPeak_N;
         }
+    noticeForce(present, norm(force));
     if (!present)
         return;
     if (m_parameters.adjusts && !m_places[at - 1].touching)
         noticeChange(at - 1, sample);
     addContact(m_places[at - 1], sample, force);
+}
+
+void FidelityMeter::noticeForce(bool present, double force_N) {
+    m_nearForceLimit = present && force_N >= (m_nearForceLimit ? kNotNear : kNear) * m_limits.peakForce_N;
 }
 
 void FidelityMeter::Place::forget() {

@@ -42,6 +42,9 @@ public:
     void add(const FidelitySample& sample);
     /// The result of the trial; `outside` names the limit that was exceeded.
     TrialFidelity finish() const;
+    /// True while an object is touched with nearly the largest force that the limits allow in a trial. From
+    /// the last tick added, in a trial or before the first one.
+    bool nearForceLimit() const noexcept { return m_nearForceLimit; }
 
 private:
     static constexpr std::size_t kTimes = 33;
@@ -56,6 +59,7 @@ private:
         bool touching = false;
         SlidingTrail trail;
     };
+    void noticeForce(bool present, double force_N);
     void noticeChange(std::size_t place, const FidelitySample& sample);
     void addContact(Place& place, const FidelitySample& sample, const std::array<double, 3>& force);
     double trailLength_m(std::size_t place, double pressed_N) const; ///< `place` from 1
@@ -75,6 +79,7 @@ private:
     double m_worst_us = 0.0, m_sumError2 = 0.0, m_peak_N = 0.0, m_sumSpeed = 0.0;
     std::uint8_t m_touched = 0;
     bool m_measured = false;
+    bool m_nearForceLimit = false;
 };
 
 } // namespace chiron::session

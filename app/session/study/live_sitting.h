@@ -52,7 +52,7 @@ struct LiveStudyView {
         arming,    ///< the objects are in place; force is being armed
         exploring,
         answering,         ///< the time to explore is over, the objects are gone
-        feedback,          ///< `right` holds the result; shown for a moment
+        feedback,          ///< `right` holds the result; for a moment, in practice until goOn() or takeBack()
         breakDue,          ///< until breakTaken()
         needsExperimenter, ///< one trial was spoiled too often; until experimenterSays()
         paused,
@@ -64,6 +64,7 @@ struct LiveStudyView {
     int places = 3;
     bool practice = false;     ///< the present trial, or between two trials the next one, does not count
     bool firstPart = true;     ///< the participant has completed no other condition of the study
+    int partsToCome = 0;       ///< conditions of the study that they have not completed, besides this one
     int trial = 0;             ///< scored trials done
     int ofAtMost = 0;          ///< 0: not known
     int place = -1;            ///< place in contact now
@@ -73,6 +74,8 @@ struct LiveStudyView {
                                ///< place
     /// A place counts as touched once its object has responded with at least this force; 0: at any contact.
     double probe_N = 0.0;
+    /// The hand uses nearly the largest force that a trial may have (FidelityMeter::nearForceLimit).
+    bool nearForceLimit = false;
     /// The previous trial did not count because its objects were gone before all were touched; it is
     /// repeated.
     bool again = false;
@@ -82,7 +85,7 @@ struct LiveStudyView {
     /// The reason in the hand's motion why the previous trial did not count: "peak_force" or "speed"; else
     /// empty.
     std::string hand;
-    bool mayTakeBack = false;  ///< an answer in practice can be taken back, while its feedback is shown
+    bool mayTakeBack = false;  ///< an answer in practice can be taken back; nothing goes on by itself
     double tryLeft_s = 0.0;    ///< remaining time of the free minute
     bool canAnswer = false;    ///< an answer is accepted now (every place was touched, if that is required)
     double timeLeft_s = 0.0;   ///< remaining time to explore; 0: no limit
@@ -92,9 +95,6 @@ struct LiveStudyView {
     double adjusted = 0.0;          ///< adjustment: 0..1, position of the level in its table
 };
 
-/// Duration of feedback in practice: long enough to notice an error and take the answer back.
-inline constexpr double kPracticeFeedback_s = 4.0;
-
 /// The additional data that the experimenter sees.
 struct LiveStudyNumbers {
     std::string condition; ///< id; the sealed code if the experimenter is blind
@@ -102,7 +102,7 @@ struct LiveStudyNumbers {
     /// One per procedure; empty if the experimenter is blind.
     std::vector<psychophysics::ProcedureEstimate> estimates;
     int scored = 0;
-    int spoiled = 0;
+    int spoiled = 0; ///< repeated trials (database::isRepeated)
     int practice = 0;
     bool blind = false;         ///< the experimenter is blind
     TrialFidelity lastFidelity; ///< without forces, if they must not be revealed to the experimenter
@@ -189,7 +189,7 @@ public:
     virtual void beginAnswer() = 0;
     /// Practice: the last answer does not count, and its presentation is repeated (view().mayTakeBack).
     virtual void takeBack() = 0;
-    virtual void goOn() = 0;          ///< practice: ends the feedback early
+    virtual void goOn() = 0;          ///< practice: ends the feedback, which nothing else ends
     virtual void endTrying() = 0;     ///< ends the free minute
     virtual void beginCounting() = 0; ///< the participant has read that practice is over
     /// TrialCircumstances::kMasking...: the masking sound that is heard from now on.

@@ -167,7 +167,7 @@ void LiveStudy::stop() {
     s.control.letGo(); // otherwise the scene would not receive the answer
     s.control.tell(*s.training);
     if (s.presented && s.last.phase == TrialPhase::running && !s.posted) {
-        s.spoiled = "stopped";
+        s.spoiled = database::kInterrupted;
         s.posted = s.training->post(CommandKind::answer, simulation::kAnswerSpoiled);
     } else if (s.presented) {
         s.presented = false; // the trial did not begin: nothing of it is stored

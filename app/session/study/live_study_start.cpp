@@ -48,6 +48,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     state->tryFor_s = free_s;
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);
+    state->view.partsToCome = study.partsBeside(sitting.label);
     state->blinding = study.record.blinding;
     state->run = begun->number;
     state->describeRun(sitting.run, table, limits);

@@ -98,7 +98,6 @@ void LiveStudy::State::endTrial(const FidelitySample& sample) {
     view.hand = ofTheHand(answer.fidelity.outside);
     view.right = correct >= 0 && answer.fidelity.outside.empty() ? std::optional(answer.answer == correct)
                                                                  : std::nullopt;
-    feedbackSince = Clock::now();
     enough = false;
     pending = std::move(answer);
 }
@@ -131,7 +130,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
     view.again = trial.spoiled == "untouched";
-    view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
+    view.repeated = database::isRepeated(trial) ? trial.spoiled : std::string();
     // Practice trials were explained by their feedback, and are not repeated.
     view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled);
     if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 &&
@@ -185,10 +184,10 @@ void LiveStudy::State::goOn() {
         present();
 }
 
-/// Feedback of practice is not shown any longer once the run is stopping.
+/// Feedback of practice stays until the participant goes on, or the run is stopping.
 bool LiveStudy::State::showsFeedback() const {
     if (pending)
-        return !enough && !stopping && secondsSince(feedbackSince) < kPracticeFeedback_s;
+        return !enough && !stopping;
     return view.right && secondsSince(feedbackSince) < kFeedback_s;
 }
 
@@ -272,6 +271,7 @@ void LiveStudy::State::describe() {
     view.letGo = view.place < 0 ? letGo : -1;
     view.touched = last.touched;
     view.grazed = grazed;
+    view.nearForceLimit = meter.nearForceLimit();
     view.probe_N = study.design.trial.mustTouchAll ? study.design.trial.probeAtLeast_N : 0.0;
     const double limit_s = study.design.trial.exploreLimit_s;
     const bool running = presented && last.phase == TrialPhase::running;

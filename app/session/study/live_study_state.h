@@ -52,7 +52,7 @@ struct LiveStudy::State {
     SittingControl control;
     /// A practice answer; stored only after its feedback, because it can be taken back until then.
     std::optional<StudyAnswer> pending;
-    bool enough = false;   ///< the feedback was ended early
+    bool enough = false;   ///< the participant goes on after it
     double tryFor_s = 0.0; ///< duration of the free minute still to be given; 0: none
     double tried_s = 0.0;  ///< elapsed part of it, in presentations that have ended
     bool tryPresented = false;

@@ -4,6 +4,7 @@
 #include "psychophysics/planning/study_plan.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 #include "session/study/presentation_order.h"
+#include "simulation/comparison/comparison_parameters.h"
 
 #include <algorithm>
 
@@ -50,6 +51,12 @@ double ParticipantView::minutesAtMost() const {
 
 bool ParticipantView::anyBreak() const {
     return std::any_of(parts.begin(), parts.end(), [](const PartView& part) { return part.breaks; });
+}
+
+bool isTakenHold(psychophysics::Attribute attribute) {
+    // Both enumerations have the same order.
+    return attribute != psychophysics::Attribute::apex &&
+           simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute));
 }
 
 bool trialsAreFixed(const psychophysics::Condition& condition) {

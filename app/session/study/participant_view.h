@@ -45,6 +45,9 @@ struct ParticipantView {
     double minutesAtMost() const; ///< of all parts, without questions; 0 if not known
     bool anyBreak() const;
 };
+/// Whether objects with this attribute are held by a ring, which is pulled or lifted and then let go.
+/// Otherwise the object is pressed or stroked.
+bool isTakenHold(psychophysics::Attribute attribute);
 /// True if the number of trials of a condition is fixed.
 bool trialsAreFixed(const psychophysics::Condition& condition);
 ParticipantView participantView(const psychophysics::StudyDesign& design);

@@ -56,7 +56,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         if (trial.practice)
             ++out.practice;
         else if (!trial.spoiled.empty())
-            ++out.spoiled;
+            out.spoiled += database::isRepeated(trial) ? 1 : 0;
         else
             ++out.scored;
     }

@@ -23,7 +23,8 @@ struct AnalysedRun {
     database::Participant participant;
     database::StudyRun run;
     std::vector<database::StudyTrial> trials; ///< all of them
-    int scored = 0, spoiled = 0, practice = 0;
+    int scored = 0, practice = 0;
+    int spoiled = 0;          ///< repeated trials (database::isRepeated)
     std::optional<bool> felt; ///< false if any trial was only shown; empty if nothing was rendered
     bool pooled = true;       ///< the run belongs to the group if it has an estimate
     Presence presence = Presence::noValue; ///< whether the group's value uses it, or why not

@@ -83,7 +83,7 @@ public:
     void experimenterSays(bool goOn);
     bool gaveUp() const; ///< the experimenter declined: the run is done, but not completed
     int scored() const;
-    int spoiledTrials() const;
+    int spoiledTrials() const; ///< repeated ones (database::isRepeated)
     /// Number of presentations left if none is spoiled, practice included; 0: not known.
     int toCome() const;
     /// The procedures as stored with a run: "rank3_quest_plus@1", separated by commas if there are several;

@@ -108,7 +108,7 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
         repeat = 0;
     } else if (!trial.spoiled.empty()) {
         procedure.spoiled();
-        ++spoiled;
+        spoiled += database::isRepeated(trial) ? 1 : 0;
         ++repeat;
         sameProcedure = trial.procedure;
         asksExperimenter = repeat >= repeatsAtMost;

@@ -23,7 +23,7 @@ struct StudyProgress::State {
                             ///< receive
     int ordinal = 0;
     int scored = 0;
-    int spoiled = 0;
+    int spoiled = 0; ///< repeated trials (database::isRepeated)
     int practised = 0;
     /// Practice trials that ended without an answer (time was up, stopped): they do not count as practice and
     /// are repeated.

@@ -57,6 +57,12 @@ bool OpenedStudy::firstPart(const std::string& label) const {
     });
 }
 
+int OpenedStudy::partsBeside(const std::string& label) const {
+    const std::vector<std::string> open = openConditions(*this);
+    return static_cast<int>(
+        std::count_if(open.begin(), open.end(), [&](const std::string& other) { return other != label; }));
+}
+
 std::string labelOf(const database::SealedCondition& condition) {
     return condition.condition.empty() ? condition.sealedCode : condition.condition;
 }

@@ -18,6 +18,8 @@ struct OpenedStudy {
     bool blind() const { return record.blinding.on; }
     /// True if the participant has completed no condition other than the one with this label.
     bool firstPart(const std::string& label) const;
+    /// Number of conditions other than the one with this label that the participant has not completed.
+    int partsBeside(const std::string& label) const;
 
     database::StudyRecord record;
     psychophysics::StudyDesign design; ///< masked if the record is, until a run of it is conducted

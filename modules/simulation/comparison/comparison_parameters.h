@@ -104,6 +104,12 @@ constexpr GripZone gripZone(const ComparisonParameters& p) noexcept {
     return {p.hookHeight_m - 0.5 * p.hookReach_m, 0.5 * p.hookReach_m};
 }
 
+/// Height above the foot of a place (m, W) below which a tip above the foot lets go of the tube that it holds
+/// (ComparedObject); 0 for an object that is not let go of at a height.
+constexpr double letGoHeight_m(const ComparisonParameters& p) noexcept {
+    return p.attribute == ComparedAttribute::stiffness ? p.hookHeight_m - p.hookLeave_m : 0.0;
+}
+
 /// x of a place in W (m); y is 0.
 constexpr double placeX_m(const ComparisonParameters& p, int place) noexcept {
     return (place - 0.5 * (p.places - 1)) * p.spacing_m;

@@ -334,7 +334,7 @@ void TestApexTrials::aSpoiledTrialComesAgainAndTheRunEnds() {
     submit->click();
     const QPointer<QLabel> said = screen->findChild<QLabel*>(QStringLiteral("break.text"));
     QTRY_VERIFY_WITH_TIMEOUT(said && said->isVisible() &&
-                                 said->text() == QStringLiteral("Please call the experimenter."),
+                                 said->text().contains(QStringLiteral("Please call the experimenter")),
                              kPatience_ms);
     stop(screen);
     const database::StudyRun run = opened().runs.front();

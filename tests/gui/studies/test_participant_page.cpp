@@ -9,11 +9,13 @@
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/sitting_sentences.h"
 #include "desktop/study_run/study_controls.h"
+#include "session/study/study_analysis.h"
 #include "session/study/trial_fidelity.h"
 #include "support/patience.h"
 #include "support/sitting_hands.h"
 
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMouseEvent>
@@ -36,6 +38,33 @@ namespace {
 const char* const kScreens = R"({"screens": [{"name": "one", "x": 0, "y": 0, "width": 1280, "height": 720},
                                              {"name": "two", "x": 1280, "y": 0, "width": 1280, "height": 720}]})";
 
+/// Presses a key in the moment in which a page with this title is painted, before anybody can have read it.
+class PressesTooEarly final : public QObject {
+public:
+    PressesTooEarly(QLabel& title, QString shown, QObject& window, Qt::Key key)
+        : m_title(title), m_shown(std::move(shown)), m_window(window), m_key(key) {
+        title.installEventFilter(this);
+    }
+    bool pressed() const { return m_pressed; }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::Paint || m_pressed || m_title.text() != m_shown)
+            return false;
+        m_pressed = true;
+        for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease})
+            QCoreApplication::postEvent(&m_window, new QKeyEvent(type, m_key, Qt::NoModifier));
+        return false;
+    }
+
+private:
+    QLabel& m_title;
+    QString m_shown;
+    QObject& m_window;
+    Qt::Key m_key;
+    bool m_pressed = false;
+};
+
 } // namespace
 
 class TestParticipantPage : public QObject {
@@ -53,6 +82,9 @@ private slots:
     void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
+    void aPageThatComesByItselfTakesNoEarlyKey();
+    void theHandIsToldBeforeTheLimit();
+    void aStopRepeatsNothing();
     void aTrialThatDoesNotCountIsTold();
     void everyReasonHasWords();
     void enterAndSpaceGoOn();
@@ -63,7 +95,7 @@ private slots:
     void aDoublePressAnswersNothing();
     void stopIsReachedWithACapturedPointer();
     void theDeskTakesThePassword();
-    void whoLeavesMidTrialSeesTheNeutralEnd();
+    void whoLeavesMidTrialReadsThatItWasStopped();
     void aPilotIsNamed();
     void aPilotIsAskedBeforeItStops();
     void aPilotThatEndsWhileItIsAskedStays();
@@ -96,6 +128,20 @@ private:
     }
     bool canAnswer(desktop::TrialsScreen* screen) {
         return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, kPatience_ms);
+    }
+    /// Moves the tool to x and z above the middle line, as fast as a hand.
+    bool reach(session::LiveSitting& live, double x_m, double z_m) {
+        return QTest::qWaitFor(
+            [&] {
+                const auto& at = live.training().display().latest().tool[0].p_WT_m;
+                const double x = x_m - at[0], y = -at[1], z = z_m - at[2];
+                if (std::hypot(x, y, z) < 4e-5)
+                    return true;
+                live.training().pointer()->move(0.4 * x, 0.4 * y, 0.4 * z);
+                QTest::qWait(30);
+                return false;
+            },
+            kPatience_ms);
     }
     std::vector<database::StudyTrial> stored();
     QString told(const QWidget& page) {
@@ -212,35 +258,24 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QVERIFY(screen && tests::beginTrials(screen));
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
     session::LiveSitting& live = *screen->live();
-    const auto reach = [&live](double x_m, double z_m) {
-        return QTest::qWaitFor(
-            [&] {
-                const auto& at = live.training().display().latest().tool[0].p_WT_m;
-                const double x = x_m - at[0], y = -at[1], z = z_m - at[2];
-                if (std::hypot(x, y, z) < 4e-5)
-                    return true;
-                live.training().pointer()->move(0.4 * x, 0.4 * y, 0.4 * z);
-                QTest::qWait(30);
-                return false;
-            },
-            kPatience_ms);
-    };
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
-    QVERIFY(reach(-0.04, 0.060) && reach(-0.04, 0.027)); // in the ring of the first
-    QVERIFY(reach(-0.04, 0.03015));                      // 0.15 mm out: at most 0.14 N
+    QVERIFY(reach(live, -0.04, 0.060) && reach(live, -0.04, 0.027)); // in the ring of the first
+    QVERIFY(reach(live, -0.04, 0.03015));                            // 0.15 mm out: at most 0.14 N
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."),
                               kPatience_ms);
     QCOMPARE(live.view().touched, 0U);
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
-    QVERIFY(reach(-0.04, 0.0333)); // 1 N and more
+    QVERIFY(reach(live, -0.04, 0.0333)); // 1 N and more
     QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1. To let go, lower")) &&
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral(
+                                  "You hold 1. To let go, lower the tool below the dashed line")) &&
                                   why->text().endsWith(QStringLiteral("Touch next: 2, 3.")),
                               qPrintable(why->text()), kPatience_ms);
-    QVERIFY(reach(-0.04, 0.014)); // well below the ring
+    const auto& scene = live.level().parameters.as<simulation::ComparisonParameters>();
+    QVERIFY(reach(live, -0.04, simulation::letGoHeight_m(scene) - 0.0005)); // just below the line
     const QString letGo = QStringLiteral("You let go of 1. Raise the tool. Touch next: 2, 3.");
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
-    QVERIFY(reach(-0.04, 0.045)); // straight up through the ring, which takes no hold again
+    QVERIFY(reach(live, -0.04, 0.045)); // straight up through the ring, which takes no hold again
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
     QCOMPARE(live.view().place, -1);
 }
@@ -283,8 +318,8 @@ void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
     for (const int early : {int(Qt::Key_Right), int(Qt::Key_Up)})
         press(early);
     QVERIFY(page(screen)->findChild<desktop::ReadyCard*>() == card && card->isVisible());
-    press(Qt::Key_Space);
-    QVERIFY(bar.value() > 0 && card->isVisible());
+    QVERIFY(pressUntil(Qt::Key_Space, [&] { return bar.value() > 0; }));
+    QVERIFY(card->isVisible());
     for (int presses = 0; presses < 50 && bar.value() < bar.maximum(); ++presses)
         press(Qt::Key_PageDown);
     QCOMPARE(bar.value(), bar.maximum());
@@ -333,6 +368,9 @@ void TestParticipantPage::aFurtherPartIsShort() {
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QVERIFY(screen->live()->result() && screen->live()->result()->completed);
+    QCOMPARE(said("break.title"), QStringLiteral("This part is finished"));
+    QVERIFY2(said("break.text").contains(QStringLiteral("who decides when the next one begins")),
+             qPrintable(said("break.text")));
     m_site->go(QStringLiteral("studies"));
     screen = sit();
     QVERIFY(screen && !screen->live()->view().firstPart);
@@ -344,11 +382,16 @@ void TestParticipantPage::aFurtherPartIsShort() {
                      QStringLiteral("\n\nApart from this, you explore and answer as in the previous part")),
              qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
+    QVERIFY2(said("break.text").contains(QStringLiteral("more than 4 N")), qPrintable(said("break.text")));
     tests::sittingButton(screen, "break.more")->click();
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) &&
             said("break.text").contains(partText()));
     QVERIFY(tests::sittingButton(screen, "break.more")->isHidden());
     QVERIFY(tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    tests::sittingButton(screen, "answer.0")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QCOMPARE(said("break.title"), QStringLiteral("Everything is finished"));
 }
 
 /// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can
@@ -421,6 +464,9 @@ void TestParticipantPage::practiceIsTakenBack() {
     QVERIFY(answer());
     QVERIFY(screen->live()->view().practice);
     QTRY_VERIFY_WITH_TIMEOUT(tests::sittingButton(screen, "trials.take_back")->isVisible(), kPatience_ms);
+    QTest::qWait(4500); // nothing goes on by itself, however long somebody thinks
+    QVERIFY(tests::sittingButton(screen, "trials.take_back")->isVisible() &&
+            tests::sittingButton(screen, "trials.enough")->isVisible());
     QVERIFY(stored().empty());
     tests::sittingButton(screen, "trials.take_back")->click();
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
@@ -449,6 +495,82 @@ void TestParticipantPage::practiceIsTakenBack() {
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(3), kPatience_ms);
     QVERIFY(!screen->live()->view().mayTakeBack); // what counts, counts
     QTRY_COMPARE_WITH_TIMEOUT(strip->text(), QStringLiteral("Trial 2 of at most 40"), kPatience_ms);
+}
+
+/// Whoever paused or ended what stood there: the key was meant for that. Once the page was seen, the same key
+/// goes on.
+void TestParticipantPage::aPageThatComesByItselfTakesNoEarlyKey() {
+    prepare("early_keys");
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space}) {
+        desktop::TrialsScreen* screen = sit(true, 1.0);
+        QVERIFY(screen);
+        const bool first =
+            screen->live()->view().tryLeft_s > 0.0; // a run that is gone on with has no free minute
+        auto* title = page(screen)->findChild<QLabel*>(QStringLiteral("break.title"));
+        const auto staysAt = [&](const char* shown, State state) {
+            const PressesTooEarly early(*title, QLatin1String(shown), *m_site->window, key);
+            if (state == State::paused)
+                screen->live()->pause(); // as the experimenter does
+            if (!QTest::qWaitFor([&] { return early.pressed(); }, kPatience_ms))
+                return false;
+            QTest::qWait(200);
+            return screen->live()->view().state == state &&
+                   pressUntil(key, [&] { return screen->live()->view().state != state; });
+        };
+        QVERIFY(first ? tests::pastTheCard(screen) : tests::beginTrials(screen));
+        if (first)
+            QVERIFY(staysAt("The free minute is over", State::tried));
+        QVERIFY(canAnswer(screen));
+        QVERIFY(staysAt("Paused", State::paused));
+        QVERIFY(canAnswer(screen));
+        QVERIFY(stored().size() == (first ? 0U : 1U)); // the one that the stop interrupted
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+}
+
+/// What to do is said while there is time to do it, and no longer than it is true.
+void TestParticipantPage::theHandIsToldBeforeTheLimit() {
+    prepare("limit", [](psychophysics::StudyDesign& design) {
+        design.trial.mustTouchAll = true;
+        design.trial.exploreLimit_s = 0.0;
+        design.trial.probeAtLeast_N = 0.0;
+        design.fidelity.peakForce_N = 2.0;
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+    session::LiveSitting& live = *screen->live();
+    auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
+    QVERIFY(reach(live, -0.04, 0.060) && reach(live, -0.04, 0.027)); // in the ring of the first
+    QVERIFY(reach(live, -0.04, 0.031));                              // less than 1 N
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1.")), qPrintable(why->text()),
+                              kPatience_ms);
+    QVERIFY(reach(live, -0.04, 0.036)); // 1.8 N and more
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull less hard."), kPatience_ms);
+    QVERIFY(reach(live, -0.04, 0.031));
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1.")), qPrintable(why->text()),
+                              kPatience_ms);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// The trial at hand was interrupted, and nothing was wrong with it: it comes again, and is no repeat.
+void TestParticipantPage::aStopRepeatsNothing() {
+    prepare("interrupted");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    QCOMPARE(stored().size(), std::size_t(1));
+    screen = sit();
+    QVERIFY(screen);
+    QCOMPARE(screen->live()->numbers().spoiled, 0);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    auto connection = m_site->database().openReader();
+    database::StudyReader reader(**connection, m_site->context.actor());
+    const auto analysis = session::analyseStudy(reader, m_study, 1);
+    QVERIFY(analysis);
+    QCOMPARE(analysis->conditions.front().runs.front().spoiled, 0);
+    QVERIFY(analysis->quality.front().spoiled.empty());
 }
 
 /// Said while the trial is done again, and gone with the next that counts. The count stands still, and
@@ -627,7 +749,7 @@ void TestParticipantPage::anEarlierVersionsNoiseIsNotShown() {
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
-/// The experimenter reads why the run is not done; the participant's page is that of every end.
+/// The experimenter reads why the run is not done; the participant, that it is not.
 void TestParticipantPage::aSessionThatEndsByItselfIsTold() {
     prepare("by_itself");
     desktop::TrialsScreen* screen = sit();
@@ -635,7 +757,9 @@ void TestParticipantPage::aSessionThatEndsByItselfIsTold() {
     QVERIFY(canAnswer(screen));
     screen->live()->training().post(core::CommandKind::end);
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
-    QCOMPARE(said(screen, "break.text"), QStringLiteral("Please call the experimenter."));
+    QCOMPARE(said(screen, "break.title"), QStringLiteral("The session was stopped"));
+    QVERIFY2(said(screen, "break.text").contains(QStringLiteral("Please call the experimenter")),
+             qPrintable(said(screen, "break.text")));
     QVERIFY(!qobject_cast<QAbstractButton*>(m_site->window->focusWidget())); // no key presses anything
     const auto* note = screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"));
     QVERIFY2(note->text().contains(QStringLiteral("ended by itself")) &&
@@ -719,7 +843,8 @@ void TestParticipantPage::theDeskTakesThePassword() {
     QCOMPARE(told(*page(screen)).contains(QStringLiteral("Stiffness of a tube")), false);
 }
 
-void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
+/// Whether they are done, and who decides; nothing of the condition or of the answers.
+void TestParticipantPage::whoLeavesMidTrialReadsThatItWasStopped() {
     prepare("leaves");
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && tests::beginTrials(screen));
@@ -733,13 +858,19 @@ void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
     tests::sittingButton(screen, "trials.stop")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.title"))->text(),
-             QStringLiteral("Thank you"));
-    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.text"))->text(),
-             QStringLiteral("Please call the experimenter."));
+             QStringLiteral("The session was stopped"));
+    QVERIFY2(said(screen, "break.text").contains(QStringLiteral("This part is not finished")) &&
+                 said(screen, "break.text").contains(QStringLiteral("who decides when it goes on")),
+             qPrintable(said(screen, "break.text")));
     QVERIFY(!told(*page(screen)).contains(QStringLiteral("condition"), Qt::CaseInsensitive));
     m_site->context.navigator().go(
         QStringLiteral("study_run")); // the next participant is the experimenter's to call
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("gate.password")), kPatience_ms);
+    const QString asked = told(*m_site->find<QLineEdit>(QStringLiteral("gate.password"))->window());
+    QVERIFY2(asked.contains(QStringLiteral("The session is over")) &&
+                 !asked.contains(QStringLiteral("paused")),
+             qPrintable(asked));
     QVERIFY(tests::typePassword(*m_site));
     QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"),
                               kPatience_ms);

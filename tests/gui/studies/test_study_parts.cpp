@@ -67,6 +67,8 @@ private slots:
     void fieldsTakeNoMoreRoomThanTheyNeed();
     void intervalsAreNoHalves();
     void namesOfPlacesStandApart();
+    void theForceBarMarksTheLimit();
+    void theLineOfLettingGoStandsAtItsHeight();
     void quantitiesAreReadWithTheirUnits();
     void whatIsTypedIsTakenOrTold();
     void soundAndForceAreCheckedBeforeFreezing();
@@ -129,6 +131,68 @@ void TestStudyParts::namesOfPlacesStandApart() {
             QVERIFY2(!covered(258 + between * apart, 262 + between * apart),
                      qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
     }
+}
+
+/// At the limit, whatever it is, the bar is filled to its mark; without force to less.
+void TestStudyParts::theForceBarMarksTheLimit() {
+    for (const double limit_N : {2.0, 4.0, 6.0}) {
+        desktop::PlacesView view(m_theme, desktop::PlacesSetup{});
+        view.resize(520, 340);
+        const auto topOfBar = [&](double force_N, double& mark) {
+            desktop::PlacesView::Now now;
+            now.feltNothing = true;
+            now.force_N = force_N;
+            now.limit_N = limit_N;
+            view.show({}, now);
+            mark = -1.0;
+            double top = -1.0; // of what is filled: the last shape at the right before the mark
+            for (const tests::PaintedShape& shape : tests::PaintedShapes::of(view)) {
+                if (shape.bounds.left() < 520 - m_theme.px(45))
+                    continue;
+                if (shape.kind == tests::PaintedShape::Kind::line)
+                    mark = shape.bounds.center().y();
+                else if (shape.filled() && !shape.drawn())
+                    top = shape.bounds.top();
+            }
+            return top;
+        };
+        double mark = 0.0;
+        const double atLimit = topOfBar(limit_N, mark);
+        QVERIFY(mark > 0.0);
+        QVERIFY2(std::abs(atLimit - mark) < 1.5, qPrintable(QString::number(atLimit - mark)));
+        QVERIFY(topOfBar(0.5 * limit_N, mark) > mark + 20.0); // lower on the screen
+        QVERIFY(topOfBar(1.2 * limit_N, mark) < mark - 20.0);
+    }
+}
+
+/// One dashed line at each tube, as far above its foot as the scene lets go; none where there is no such
+/// height.
+void TestStudyParts::theLineOfLettingGoStandsAtItsHeight() {
+    desktop::PlacesSetup setup;
+    setup.hooked = true;
+    const auto lines = [&] {
+        desktop::PlacesView view(m_theme, setup);
+        view.resize(520, 340);
+        desktop::PlacesView::Now now;
+        now.objects = true;
+        view.show({}, now);
+        std::vector<double> heights;
+        for (const tests::PaintedShape& shape : tests::PaintedShapes::of(view))
+            if (shape.kind == tests::PaintedShape::Kind::line && shape.pen.style() == Qt::DashLine)
+                heights.push_back(shape.bounds.center().y());
+        return heights;
+    };
+    QVERIFY(lines().empty());
+    setup.letGoHeight_m = 0.020;
+    const auto low = lines();
+    setup.letGoHeight_m = 0.026;
+    const auto high = lines();
+    QCOMPARE(low.size(), std::size_t(3));
+    QCOMPARE(high.size(), std::size_t(3));
+    for (std::size_t place = 0; place < 3; ++place)
+        QVERIFY(high[place] < low[place] - 5.0 && low[place] == low[0]);
+    setup.visible = false;
+    QVERIFY(lines().empty());
 }
 
 /// The legend beside the experimenter's estimate names the procedures, so that a single one needs none.

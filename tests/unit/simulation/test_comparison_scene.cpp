@@ -49,6 +49,7 @@ private slots:
     void aGrazeDoesNotCountAsTouched();
     void noForceIsNotTouched();
     void allThatIsDrawnOfARingTakesHold();
+    void aTubeIsLetGoBelowTheLineThatIsDrawn();
     void anAdjustedLevelIsNeverFeltAsAStep();
     void wordsThatDoNotExist();
     void notANumber();
@@ -302,6 +303,29 @@ void TestComparisonScene::allThatIsDrawnOfARingTakesHold() {
                 QCOMPARE(beside.quantity(q::kPlace), 0.0);
             }
     }
+}
+
+/// Straight down it is held until the line and let go below it: letGoHeight_m() and the scene go by one
+/// number.
+void TestComparisonScene::aTubeIsLetGoBelowTheLineThatIsDrawn() {
+    ComparisonParameters p = lossless(ComparedAttribute::stiffness);
+    p.leaveBeforeAgain = true;
+    const double line_m = letGoHeight_m(p);
+    QVERIFY(line_m > 0.0 && line_m < gripZone(p).height_m - gripZone(p).radius_m);
+    ComparisonDriver d(p);
+    d.startRunning();
+    d.moveTo(d.at(1, gripZone(p).height_m), 0.4);
+    d.ticks(2);
+    QCOMPARE(d.quantity(q::kPlace), 2.0);
+    d.moveTo(d.at(1, line_m + 1e-4), 0.4);
+    d.ticks(2);
+    d.moveTo(d.at(1, d.hook_m() + 0.002), 0.4); // still held: it pulls
+    QVERIFY(d.force().norm() > 0.1);
+    d.moveTo(d.at(1, line_m - 1e-4), 0.4);
+    d.ticks(2);
+    d.moveTo(d.at(1, d.hook_m() + 0.002), 0.4);
+    QVERIFY(d.force().norm() == 0.0);
+    QCOMPARE(letGoHeight_m(lossless(ComparedAttribute::mass)), 0.0);
 }
 
 /// Two places with the same value feel the same to the last bit; with another value they do not.

@@ -73,6 +73,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun), request.language);
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);
+    state->view.partsToCome = study.partsBeside(sitting.label);
     state->blinding = study.record.blinding;
     state->condition = conditionOf(state->study.design, sitting.run.condition);
     state->nextStation = std::move(request.nextStation);
@@ -215,7 +216,7 @@ void LiveApex::stop() {
     s.stopping = true;
     // A sphere that was already explored is not presented again.
     if (!s.done && !s.tries && s.watch->inTrial()) {
-        s.spoiled = "stopped";
+        s.spoiled = database::kInterrupted;
         s.record(s.watch->soFar());
     }
 }

@@ -97,7 +97,6 @@ void LiveApex::State::record(StudyAnswer answer) {
         !answer.spoiled.empty())
         return store(answer);
     view.beside_m = answer.value;
-    feedbackSince = Clock::now();
     enough = false;
     pending = std::move(answer);
 }
@@ -110,8 +109,7 @@ void LiveApex::State::storePending() {
 }
 
 bool LiveApex::State::feedbackOver() const {
-    return pending ? enough || stopping || secondsSince(feedbackSince) >= kPracticeFeedback_s
-                   : secondsSince(feedbackSince) >= kFeedback_s;
+    return pending ? enough || stopping : secondsSince(feedbackSince) >= kFeedback_s;
 }
 
 double LiveApex::State::triedSoFar_s() const {
@@ -137,7 +135,7 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
     const database::StudyTrial& trial = trials.back();
     numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
     numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
-    view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
+    view.repeated = database::isRepeated(trial) ? trial.spoiled : std::string();
     summarise();
     if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() &&
         !progress.done()) {
@@ -254,6 +252,7 @@ void LiveApex::State::describe() {
     view.trial = progress.scored();
     view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
     view.touched = watch->touched() ? 1u : 0u;
+    view.nearForceLimit = watch->nearForceLimit();
     const double limit_s = study.design.trial.exploreLimit_s;
     const double spent_s = watch->clock().exploration_s();
     view.timeLeft_s = running && !tries && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;

@@ -419,6 +419,28 @@ private slots:
             QCOMPARE(underLimits(closer).outside, word);
         }
     }
+    /// From a share of the limit on, until the hand has clearly eased; not out of contact or of a trial.
+    void theLimitIsNearBeforeItIsReached() {
+        session::FidelityMeter meter = meterOf(); // 4 N
+        std::int64_t now_ns = 0;
+        const auto near = [&](int place, double force_N) {
+            meter.add(sampleOf(place, force_N, now_ns += 1'000'000));
+            return meter.nearForceLimit();
+        };
+        QVERIFY(!near(1, 3.1));
+        QVERIFY(near(1, 3.3));
+        QVERIFY(near(1, 2.9));
+        QVERIFY(!near(1, 2.7));
+        QVERIFY(!near(1, 2.9));
+        QVERIFY(near(1, 5.0));
+        QVERIFY(!near(0, 5.0));
+        QVERIFY(near(1, 5.0));
+        session::FidelitySample after = sampleOf(1, 5.0, now_ns += 1'000'000);
+        after.phase = core::TrialPhase::between;
+        meter.add(after);
+        QVERIFY(!meter.nearForceLimit());
+    }
+
     /// Where every place is to be touched, one that was not is the reason, before all others.
     void untouchedPlacesAreTold() {
         for (const int touched : {0b11, 0b01, 0b10}) {

@@ -341,6 +341,7 @@ void TestLiveApex::stopsAndGoesOnAtTheTrial() {
     QCOMPARE(trials[1].spoiled, std::string("stopped"));
     const auto live = site.sit();
     QCOMPARE(live->numbers().scored, 1);
+    QCOMPARE(live->numbers().spoiled, 0); // the interrupted one is no repeat
     QVERIFY(live->numbers().apex->trials == 1);
     QVERIFY(mark(*live, tests::apexPlaces(*live, site.run().seed, 2)));
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
