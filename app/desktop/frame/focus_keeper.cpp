@@ -105,7 +105,8 @@ bool FocusKeeper::hasGoneWithItsPage() const {
 
 void FocusKeeper::stayNear() {
     const QWidget* at = QApplication::focusWidget();
-    if (at != m_fellTo || QApplication::activeModalWidget() || QApplication::activeWindow() != &m_window)
+    if (at != m_fellTo.data() || QApplication::activeModalWidget() ||
+        QApplication::activeWindow() != &m_window)
         return;
     for (const QPointer<QWidget>& place : m_goneFrom) {
         if (!canTake(place))
