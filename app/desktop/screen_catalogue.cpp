@@ -28,6 +28,7 @@
 #include "desktop/training/training_screen.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -85,7 +86,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"studies",
          QT_TRANSLATE_NOOP("Screens", "Studies"),
          "view-task",
-         {researcher},
+         {researcher, admin},
          true,
          &make<StudiesScreen>,
          false,
@@ -94,13 +95,13 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"study_run",
          QT_TRANSLATE_NOOP("Screens", "Run"),
          "media-playback-start",
-         {researcher},
+         {researcher, admin},
          true,
          &make<RunScreen>},
         {"study_data",
          QT_TRANSLATE_NOOP("Screens", "Data"),
          "office-chart-line",
-         {researcher},
+         {researcher, admin},
          true,
          &make<StudyDataScreen>,
          false,
@@ -129,7 +130,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"progress",
          QT_TRANSLATE_NOOP("Screens", "Progress"),
          "view-statistics",
-         {trainer},
+         {trainer, admin},
          true,
          &make<ProgressScreen>,
          false,
@@ -197,6 +198,11 @@ const std::vector<ScreenEntry>& screenCatalogue() {
                            "options, preferences, language, theme, dark mode, text size, sound, volume")},
     };
     return entries;
+}
+
+bool finds(const database::RoleSet& roles, const ScreenEntry& entry) {
+    return std::any_of(entry.roles.begin(), entry.roles.end(),
+                       [&roles](database::Role role) { return roles.contains(role); });
 }
 
 const ScreenEntry* findScreen(const QString& id) {

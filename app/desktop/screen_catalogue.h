@@ -29,6 +29,8 @@ struct ScreenEntry {
 
 /// Every screen of the program, in the order of the navigation.
 const std::vector<ScreenEntry>& screenCatalogue();
+/// Returns whether somebody with these roles finds the screen in the navigation and among the commands.
+bool finds(const database::RoleSet& roles, const ScreenEntry& entry);
 const ScreenEntry* findScreen(const QString& id);
 QString titleOf(const ScreenEntry& entry);
 

@@ -219,7 +219,8 @@ void AccountScreen::loaded(const core::Result<database::Person>& person) {
     m_fullName->setText(m_storedName);
     m_panel->showContent();
     renewName();
-    if (!isAncestorOf(window()->focusWidget()))
+    const QWidget* at = window()->focusWidget();
+    if (at == this || !isAncestorOf(at)) // nobody has chosen a control
         m_fullName->setFocus();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/app_context.h"
 
+#include "database/accounts/account_service.h"
 #include "session/site.h"
 
 namespace chiron::desktop {
@@ -90,9 +91,25 @@ void AppContext::setNames(const std::string& loginName, const std::string& fullN
     emit namesChanged();
 }
 
+void AppContext::renewRoles() {
+    m_background.run(
+        this,
+        [&database = m_site.database(), actor = m_actor](WorkToken&) {
+            return database::AccountService(database).self(actor);
+        },
+        [this](const core::Result<database::Person>& self) {
+            // The data layer looks them up itself, so nothing but the navigation depends on this reading.
+            if (!self || self->id != m_actor.personId() || self->roles == m_roles)
+                return;
+            m_roles = self->roles;
+            emit rolesChanged();
+        });
+}
+
 void AppContext::setActor(const database::Actor& actor) {
     const QString before = language();
     m_actor = actor;
+    m_roles = actor.roles();
     m_unread = 0;
     m_loginName = actor.name();
     m_fullName = actor.fullName();

@@ -46,7 +46,11 @@ public:
     /// none.
     QString shownName() const;
     void setNames(const std::string& loginName, const std::string& fullName);
-    bool has(database::Role role) const { return m_actor.roles().contains(role); }
+    /// The person's current roles, which may have changed since the login.
+    const database::RoleSet& roles() const noexcept { return m_roles; }
+    bool has(database::Role role) const { return m_roles.contains(role); }
+    /// Reads the person's roles anew, after accounts were changed. Emits rolesChanged() if they are others.
+    void renewRoles();
     /// Opens the site's database on a worker, which also recovers what a crash left behind, and loads the
     /// content. Emits siteOpened() or siteFailed().
     void openSite();
@@ -80,6 +84,7 @@ signals:
     void appearanceChanged();
     void actorChanged();
     void namesChanged();
+    void rolesChanged();
     void trialRunsChanged(bool runs);
     void unreadChanged(int sessions);
     void activity();
@@ -99,6 +104,7 @@ private:
     database::Actor m_actor = database::Actor::anonymous();
     std::string m_loginName;
     std::string m_fullName;
+    database::RoleSet m_roles;
     bool m_trialRuns = false;
     int m_unread = 0;
 };

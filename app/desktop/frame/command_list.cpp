@@ -6,7 +6,6 @@
 #include "desktop/screen_catalogue.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -16,16 +15,11 @@ QString words(const char* text) {
     return QCoreApplication::translate("Commands", text);
 }
 
-bool isMine(const AppContext& context, const ScreenEntry& entry) {
-    return std::any_of(entry.roles.begin(), entry.roles.end(),
-                       [&](database::Role role) { return context.has(role); });
-}
-
 std::vector<ScreenCommand> places(AppContext& context) {
     std::vector<ScreenCommand> list;
     int number = 0;
     for (const ScreenEntry& entry : screenCatalogue()) {
-        if (!isMine(context, entry))
+        if (!finds(context.roles(), entry))
             continue;
         ++number;
         const QKeySequence keys =

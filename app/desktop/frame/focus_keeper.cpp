@@ -7,8 +7,22 @@
 
 namespace chiron::desktop {
 
+namespace {
+
+std::vector<QPointer<QWidget>> placesAround(const QWidget& control) {
+    std::vector<QPointer<QWidget>> places;
+    for (QWidget* each = control.parentWidget(); each && !each->isWindow(); each = each->parentWidget())
+        places.emplace_back(each);
+    return places;
+}
+
+} // namespace
+
 FocusKeeper::FocusKeeper(QWidget& window) : QObject(&window), m_window(window) {
     connect(qApp, &QApplication::focusChanged, this, &FocusKeeper::moved);
+    // A timer, because a widget that was put into a layout is shown by an event that waits in the queue.
+    m_pageComes.setSingleShot(true);
+    connect(&m_pageComes, &QTimer::timeout, this, &FocusKeeper::stayNear);
 }
 
 bool FocusKeeper::canTake(const QWidget* control) const {
@@ -30,8 +44,17 @@ void FocusKeeper::moved(QWidget* before, QWidget* now) {
         Qt::QueuedConnection);
     if (before && before == m_hidden)
         lost(before);
-    if (!now || now->window() != &m_window)
+    if (now && now->window() != &m_window)
         return;
+    if (hasGoneWithItsPage()) {
+        m_goneFrom = m_around;
+        m_fellTo = now;
+        m_pageComes.start();
+    }
+    if (!now)
+        return;
+    m_last = now;
+    m_around = placesAround(*now);
     now->installEventFilter(this); // the filter stays until the control is destroyed
     if (qobject_cast<QAbstractItemView*>(now))
         m_list = now;
@@ -73,6 +96,35 @@ void FocusKeeper::giveBack() {
     QWidget* const control = m_waiting;
     m_waiting = nullptr;
     control->setFocus(Qt::OtherFocusReason);
+}
+
+/// A control that was hidden by itself is none: its page is still there.
+bool FocusKeeper::hasGoneWithItsPage() const {
+    return !m_around.empty() && (!m_last || (!m_last->isVisible() && !m_last->isHidden()));
+}
+
+void FocusKeeper::stayNear() {
+    const QWidget* at = QApplication::focusWidget();
+    if (at != m_fellTo.data() || QApplication::activeModalWidget() ||
+        QApplication::activeWindow() != &m_window)
+        return;
+    for (const QPointer<QWidget>& place : m_goneFrom) {
+        if (!canTake(place))
+            continue;
+        if (at && (place->isAncestorOf(at) || at->isAncestorOf(place)))
+            return; // still there, or on no control of what is around it, where somebody put it
+        QWidget* first = firstControlIn(*place);
+        (first ? first : place.data())->setFocus(Qt::OtherFocusReason);
+        return;
+    }
+}
+
+/// In the order of Tab.
+QWidget* FocusKeeper::firstControlIn(QWidget& place) const {
+    for (QWidget* each = place.nextInFocusChain(); each != &place; each = each->nextInFocusChain())
+        if (place.isAncestorOf(each) && canTake(each) && (each->focusPolicy() & Qt::TabFocus) == Qt::TabFocus)
+            return each;
+    return nullptr;
 }
 
 } // namespace chiron::desktop

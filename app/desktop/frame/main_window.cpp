@@ -56,6 +56,7 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
             rebuild();
     });
     connect(&context, &AppContext::actorChanged, this, [this] { m_rebuildWanted = true; });
+    connect(&context, &AppContext::rolesChanged, this, &MainWindow::renewNavigation);
     connect(&context, &AppContext::trialRunsChanged, this, [this](bool runs) {
         if (!runs && m_rebuildWanted)
             QTimer::singleShot(0, this, &MainWindow::rebuild);
@@ -75,12 +76,8 @@ void MainWindow::build() {
     row->setSpacing(0);
     // Builds only what is visible now, so that the login appears as quickly as an empty window would.
     m_sideBar = nullptr;
-    if (m_context.loggedIn()) {
-        m_sideBar = new SideBar(m_context);
-        connect(m_sideBar, &SideBar::paletteAsked, this, m_actions.palette);
-        connect(m_sideBar, &SideBar::helpAsked, this, m_actions.help);
-        row->addWidget(m_sideBar);
-    }
+    if (m_context.loggedIn())
+        addSideBar();
     m_column = new QVBoxLayout;
     m_column->setSpacing(0);
     m_banner = nullptr;
@@ -97,6 +94,32 @@ void MainWindow::build() {
         before->setEnabled(false); // work that ends before the deletion must not move the focus into it
     setCentralWidget(m_frame);     // deletes the previous frame
     m_frame->show();               // now, because nothing in a hidden frame can take the focus
+}
+
+void MainWindow::addSideBar() {
+    m_sideBar = new SideBar(m_context);
+    connect(m_sideBar, &SideBar::paletteAsked, this, m_actions.palette);
+    connect(m_sideBar, &SideBar::helpAsked, this, m_actions.help);
+    static_cast<QHBoxLayout*>(m_frame->layout())->insertWidget(0, m_sideBar);
+}
+
+/// Shows the side bar of the person's new roles. The screen stays, unless these roles no longer find it.
+void MainWindow::renewNavigation() {
+    if (!m_sideBar)
+        return;
+    const bool wasShown = !m_sideBar->isHidden();
+    m_sideBar->hide();
+    m_sideBar->deleteLater();
+    addSideBar();
+    m_sideBar->setVisible(wasShown);
+    const Place& place = m_context.navigator().current();
+    const ScreenEntry* entry = findScreen(place.screen);
+    if (entry && !entry->roles.empty() && !finds(m_context.roles(), *entry)) {
+        m_context.navigator().replace({QStringLiteral("home"), {}});
+        return;
+    }
+    m_sideBar->showCurrent(place.screen);
+    renewShortcuts(); // the numbers of the screens have changed
 }
 
 /// The room that messages are shown in. Without a message it shows hints that help everywhere.
@@ -162,9 +185,11 @@ void MainWindow::showPlace(const Place& place) {
     const ScreenEntry* entry = findScreen(place.screen);
     if (!entry)
         return;
+    bool workedThere = false;
     if (m_rebuildWanted)
         build(); // another person has another navigation
     else if (m_screen) {
+        workedThere = m_screen->isAncestorOf(focusWidget());
         m_stage->removeWidget(m_screen);
         m_screen->hide();
         m_screen->setEnabled(false); // work that ends in the meantime must not move the focus into it
@@ -183,6 +208,8 @@ void MainWindow::showPlace(const Place& place) {
     m_screen = entry->make(m_context, place);
     m_stage->addWidget(m_screen);
     m_screen->show(); // now, so that enter() can focus one of its controls
+    if (workedThere)  // otherwise it would fall to the side bar; Tab leads from here to the first control
+        m_screen->setFocus(Qt::OtherFocusReason);
     if (m_sideBar)
         m_sideBar->showCurrent(place.screen);
     setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));

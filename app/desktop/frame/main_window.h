@@ -38,6 +38,8 @@ protected:
 
 private:
     void build();
+    void addSideBar();
+    void renewNavigation();
     void showPlace(const Place& place);
     void rebuild();
     void renewShortcuts();

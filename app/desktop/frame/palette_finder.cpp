@@ -8,7 +8,6 @@
 
 #include <QApplication>
 #include <QPushButton>
-#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -73,6 +72,7 @@ PaletteFinder::PaletteFinder(AppContext& context, QObject* parent) : QObject(par
     connect(&m_pause, &QTimer::timeout, this, &PaletteFinder::find);
     connect(&context, &AppContext::appearanceChanged, this, &PaletteFinder::forget);
     connect(&context, &AppContext::actorChanged, this, &PaletteFinder::forget);
+    connect(&context, &AppContext::rolesChanged, this, &PaletteFinder::forget);
 }
 
 void PaletteFinder::forget() {
@@ -94,8 +94,7 @@ void PaletteFinder::serve(CommandPalette& palette) {
     if (!m_collected) {
         m_collected = true;
         for (const ScreenEntry& entry : screenCatalogue())
-            if (std::any_of(entry.roles.begin(), entry.roles.end(),
-                            [this](database::Role role) { return m_context.has(role); }))
+            if (finds(m_context.roles(), entry))
                 m_toCollect << QLatin1String(entry.id);
     }
     QTimer::singleShot(0, this, &PaletteFinder::collectNext);

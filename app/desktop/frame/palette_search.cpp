@@ -50,11 +50,20 @@ void addExercises(SearchIndex& index, const SearchQuestion& question) {
                   {QStringLiteral("level"), level.number}}});
 }
 
-void addPeople(SearchIndex& index, database::Connection& connection, const SearchQuestion& question) {
+/// The person's roles as they are now; they may have changed since the login.
+database::RoleSet rolesNow(SearchIndex& index, database::Connection& connection,
+                           const SearchQuestion& question) {
+    const auto self =
+        database::AccountRepository(connection, question.actor).person(question.actor.personId());
+    return isThere(self, index) ? self->roles : database::RoleSet();
+}
+
+void addPeople(SearchIndex& index, database::Connection& connection, const SearchQuestion& question,
+               const database::RoleSet& roles) {
     const auto people = database::AccountRepository(connection, question.actor).listPeople();
     if (!isThere(people, index))
         return;
-    const bool keepsAccounts = question.actor.roles().contains(database::Role::admin);
+    const bool keepsAccounts = roles.contains(database::Role::admin);
     for (const database::Person& person : *people) {
         const QString name = QString::fromStdString(person.name),
                       full = QString::fromStdString(person.displayName);
@@ -66,7 +75,7 @@ void addPeople(SearchIndex& index, database::Connection& connection, const Searc
 }
 
 void addSessions(SearchIndex& index, database::Connection& connection, const SearchQuestion& question,
-                 const std::atomic<bool>& cancel) {
+                 const database::RoleSet& roles, const std::atomic<bool>& cancel) {
     database::SessionFilter filter;
     filter.newestFirst = true;
     const auto sessions = database::SessionReader(connection, question.actor).listSessions(filter);
@@ -76,9 +85,8 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
     if (!isThere(names, index))
         return;
     const ExerciseTitles titles = exerciseTitles(question.catalogue, question.language);
-    const bool hasList = question.actor.roles().contains(database::Role::trainer) ||
-                         question.actor.roles().contains(database::Role::researcher) ||
-                         question.actor.roles().contains(database::Role::admin);
+    const bool hasList = roles.contains(database::Role::trainer) ||
+                         roles.contains(database::Role::researcher) || roles.contains(database::Role::admin);
     for (const database::SessionSummary& session : *sessions) {
         if (cancel.load(std::memory_order_relaxed))
             return;
@@ -144,9 +152,10 @@ SearchIndex readSearchIndex(const database::Database& database, const SearchQues
     const auto reader = database.openReader();
     if (!isThere(reader, index))
         return index;
-    addPeople(index, **reader, question);
+    const database::RoleSet roles = rolesNow(index, **reader, question);
+    addPeople(index, **reader, question, roles);
     addStudies(index, **reader, question);
-    addSessions(index, **reader, question, cancel);
+    addSessions(index, **reader, question, roles, cancel);
     return index;
 }
 

@@ -6,7 +6,6 @@
 #include "desktop/widgets/kit.h"
 
 #include <QScrollArea>
-#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -65,9 +64,7 @@ QWidget* SideBar::entries() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_context.theme().px(4));
     for (const ScreenEntry& screen : screenCatalogue()) {
-        const bool mine = std::any_of(screen.roles.begin(), screen.roles.end(),
-                                      [this](database::Role role) { return m_context.has(role); });
-        if (!mine)
+        if (!finds(m_context.roles(), screen))
             continue;
         const QString id = QLatin1String(screen.id);
         auto* button = entry(QLatin1String(screen.icon), titleOf(screen), QStringLiteral("nav.") + id);

@@ -176,9 +176,9 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
     auto connection = database.openReader();
     CHIRON_TRY(connection);
     SessionReader reader(**connection, question.actor);
-    const database::RoleSet& roles = question.actor.roles();
     const auto self = database::AccountService(database).self(question.actor);
     CHIRON_TRY(self);
+    const database::RoleSet& roles = self->roles; // as they are now
     const auto names = PeopleNames::read(**connection, question.actor);
     CHIRON_TRY(names);
     const HomeReading reading{question, *names};

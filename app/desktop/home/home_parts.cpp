@@ -228,7 +228,7 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
     return box.frame;
 }
 
-void HomeScreen::addResearcher(QVBoxLayout& column) {
+void HomeScreen::addStudies(QVBoxLayout& column) {
     column.addWidget(stateCard({QStringLiteral("studies"),
                                 tr("Studies"),
                                 tr("Design a study or begin with a template, try it with simulated "
@@ -236,6 +236,10 @@ void HomeScreen::addResearcher(QVBoxLayout& column) {
                                 "info",
                                 {},
                                 tr("Open the studies")}));
+}
+
+void HomeScreen::addResearcher(QVBoxLayout& column) {
+    addStudies(column);
     column.addWidget(stateCard({QStringLiteral("study_run"),
                                 tr("Run"),
                                 tr("Guide a participant through a study, by code and in their own order. "

@@ -93,6 +93,8 @@ void HomeScreen::show(const HomeData& home) {
         addOwnTraining(column, home);
     if (admin)
         addAdmin(column, home, false);
+    if (admin && !context().has(database::Role::researcher))
+        addStudies(column); // they may design and run some, too
     column.addStretch();
     delete m_panel->content();
     m_panel->setContent(page);

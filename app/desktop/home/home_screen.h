@@ -35,6 +35,7 @@ private:
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);
+    void addStudies(QVBoxLayout& column);
     /// `thatAsk`: the cards that need action; otherwise those in order.
     void addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk);
     QWidget* continueCard(const HomeData& home);

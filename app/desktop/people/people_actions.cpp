@@ -90,6 +90,7 @@ std::vector<ScreenCommand> PeopleScreen::commands() {
 
 void PeopleScreen::open(FormDialog* dialog) {
     connect(dialog, &FormDialog::changed, this, &PeopleScreen::load);
+    connect(dialog, &FormDialog::changed, &context(), &AppContext::renewRoles); // perhaps one's own
     dialog->open();
 }
 

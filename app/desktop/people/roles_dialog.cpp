@@ -35,14 +35,10 @@ void RolesDialog::submit() {
             const QString name = QString::fromStdString(m_person.name);
             if (done) {
                 emit changed();
-                // The side bar still shows the roles from the login.
-                if (m_person.id == context().actor().personId())
-                    context().messages().tell(
-                        {MessageKind::done,
-                         tr("Your roles are changed. Log in again to see the screens that go with them."),
-                         tr("Log out"), [&app = context()] { app.logOut(); }});
-                else
-                    context().messages().done(tr("The roles of %1 are changed.").arg(name));
+                context().messages().done(m_person.id == context().actor().personId()
+                                              ? tr("Your roles are changed. The list on the left shows the "
+                                                   "screens that go with them.")
+                                              : tr("The roles of %1 are changed.").arg(name));
                 accept();
             } else if (done.error().code == core::ErrorCode::wrongUse) {
                 // This is the only rule that a choice of roles can violate.

@@ -8,6 +8,7 @@
 #include "desktop/site/site_name.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/suggested_text.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -40,6 +41,7 @@ SlipsPanel::SlipsPanel(AppContext& context, const QString& headline,
     column->addWidget(peopleTable());
     m_site = form::textField(theme, column, tr("Name of the site on the slips (may be left empty)"),
                              QStringLiteral("slips.site"));
+    new SuggestedText(*m_site);
     m_site->setText(context.settings().ofPerson(context.actor().personId(), kSite, QString()).toString());
     context.background().run(
         this,

@@ -57,7 +57,7 @@ void StationScreen::startVerification() {
 
 bool StationScreen::mayCheck() const {
     return database::scopeOf(database::Action::recordStationCheck, context().actor().kind(),
-                             context().actor().roles()) != database::Scope::none;
+                             context().roles()) != database::Scope::none;
 }
 
 /// Stores a check in the audit trail as soon as its result is known, so that failed checks are kept as well.

@@ -9,6 +9,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/suggested_text.h"
 #include "session/backup_list.h"
 
 #include <QCheckBox>
@@ -86,6 +87,7 @@ RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& ba
                       working ? tr("Password") : tr("Your password when this backup was made"));
     if (!working)
         column()->addWidget(explanation(QStringLiteral("restore.explanation"), accountsOfTheBackup()));
+    new SuggestedText(*m_first.name);
     m_first.name->setText(m_administrator);
     addOther(*column());
     setAccept(acceptText(), "danger");

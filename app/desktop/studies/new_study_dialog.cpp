@@ -12,6 +12,7 @@
 #include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/suggested_text.h"
 #include "desktop/widgets/tile_button.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 
@@ -146,6 +147,8 @@ void NewStudyDialog::addNames() {
     column()->addWidget(kit::label(theme(),
                                    tr("Lower-case letters, digits and _ only. It cannot be changed later."),
                                    TextStyle::small, "muted"));
+    for (QLineEdit* field : {m_title, m_key})
+        new SuggestedText(*field);
     setAccept(tr("Create draft"));
     connect(m_title, &QLineEdit::textEdited, this, [this](const QString& typed) {
         m_ownTitle = !typed.isEmpty();

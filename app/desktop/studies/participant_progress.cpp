@@ -87,6 +87,48 @@ QString progressWords(const OpenStudy& study, const ConditionProgress& progress,
     return {};
 }
 
+QString participantProgress(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale) {
+    if (row.runs.empty())
+        return ParticipantProgress::tr("not begun yet");
+    const auto in = [&row](database::StudyRunState state) {
+        return std::count_if(row.runs.begin(), row.runs.end(),
+                             [state](const database::StudyRun& run) { return run.state == state; });
+    };
+    const QString text = ParticipantProgress::tr("%1 of %2 done")
+                             .arg(locale.toString(static_cast<int>(in(database::StudyRunState::completed))),
+                                  locale.toString(static_cast<int>(study.design.conditions.size())));
+    if (in(database::StudyRunState::open) > 0)
+        return ParticipantProgress::tr("%1, one interrupted").arg(text);
+    return in(database::StudyRunState::stopped) > 0 ? ParticipantProgress::tr("%1, one broken off").arg(text)
+                                                    : text;
+}
+
+QString participantStanding(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale) {
+    return row.participant.state == database::ParticipantState::consented
+               ? participantProgress(study, row, locale)
+               : study_words::participantState(row.participant.state);
+}
+
+bool isWaiting(const OpenStudy& study, const ParticipantRow& row) {
+    using database::ParticipantState;
+    if (row.participant.simulated)
+        return false;
+    if (row.participant.state == ParticipantState::enrolled)
+        return study.summary.state == database::StudyState::frozen; // later nothing could be begun
+    if (row.participant.state != ParticipantState::consented)
+        return false;
+    const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
+    const auto& questions = study.design.questionnaires;
+    return std::any_of(conditions.begin(), conditions.end(),
+                       [](const ConditionProgress& each) {
+                           return each.state == ProgressState::interrupted ||
+                                  (each.state == ProgressState::notBegun && !each.closed);
+                       }) ||
+           std::any_of(questions.begin(), questions.end(), [&](const psychophysics::Questionnaire& each) {
+               return !isAnswered(study, row, each);
+           });
+}
+
 QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QString& language) {
     using database::ParticipantState;
     if (row.participant.simulated)

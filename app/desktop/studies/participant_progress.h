@@ -29,6 +29,17 @@ QString interruptedWords(const OpenStudy& study, const LeftRun& left, const QLoc
 /// The state of a condition in words, beginning in lower case.
 QString progressWords(const OpenStudy& study, const ConditionProgress& progress, const QLocale& locale);
 
+/// How far a participant is with all conditions: "not begun yet", "1 of 2 done, one interrupted".
+QString participantProgress(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale);
+
+/// How a participant stands, in a list of people to choose from: as far as participantProgress() for somebody
+/// who takes part, else the state ("Consent missing").
+QString participantStanding(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale);
+
+/// Returns whether something is left for this participant that can be done now: a consent, a condition or a
+/// questionnaire.
+bool isWaiting(const OpenStudy& study, const ParticipantRow& row);
+
 /// What the researcher can do next for a participant: one sentence, never empty.
 QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QString& language);
 

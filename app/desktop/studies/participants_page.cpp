@@ -46,7 +46,13 @@ ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, cons
         m_table->setObjectName(QStringLiteral("participants.table"));
         m_table->setAccessibleName(tr("Participants"));
         m_table->setHorizontalHeaderLabels(
-            {tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
+            {tr("Code"), tr("State"), tr("Conditions"), tr("Design row"), tr("Enrolled"), tr("Consent")});
+        m_table->horizontalHeaderItem(orderColumn)
+            ->setToolTip(tr("The row of the order design (%1), counted from 1: it says in which order this "
+                            "participant does the conditions. Whoever is enrolled gets the next free row, "
+                            "and the row of somebody who withdraws becomes free again, so it need not be the "
+                            "order of enrolment.")
+                             .arg(study_words::order(study.design.order)));
         fill(selected);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showDetail);
@@ -98,25 +104,6 @@ QWidget* ParticipantsPage::actions() {
     return bar;
 }
 
-QString ParticipantsPage::progressOf(const ParticipantRow& row) const {
-    const auto done = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
-        return run.state == database::StudyRunState::completed;
-    });
-    const auto open = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
-        return run.state == database::StudyRunState::open;
-    });
-    const QLocale locale = m_app.locale();
-    const QString text = tr("%1 of %2 done")
-                             .arg(locale.toString(static_cast<int>(done)),
-                                  locale.toString(static_cast<int>(m_study.design.conditions.size())));
-    if (open > 0)
-        return tr("%1, one interrupted").arg(text);
-    const bool brokenOff = std::any_of(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) {
-        return run.state == database::StudyRunState::stopped;
-    });
-    return brokenOff ? tr("%1, one broken off").arg(text) : text;
-}
-
 void ParticipantsPage::showDetail() {
     const ParticipantRow* row = selected();
     if (!row)
@@ -146,7 +133,7 @@ void ParticipantsPage::fill(const QString& selected) {
         put(codeColumn, QString::fromStdString(shown.participant.code))->setFont(theme.font(TextStyle::mono));
         const QString state = study_words::participantState(shown.participant.state);
         put(stateColumn, shown.participant.simulated ? tr("%1 (simulated)").arg(state) : state);
-        put(progressColumn, progressOf(shown));
+        put(progressColumn, participantProgress(m_study, shown, locale));
         put(orderColumn, locale.toString(shown.participant.order + 1))
             ->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         put(enrolledColumn, study_words::moment(shown.participant.enrolledUtc, locale));

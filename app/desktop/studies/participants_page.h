@@ -38,7 +38,6 @@ private:
     void withdraw();
     void showKeys();
     void run();
-    QString progressOf(const ParticipantRow& row) const;
     void showDetail(); ///< for the selected participant: the state of each condition, and what to do next
 
     AppContext& m_app;

@@ -128,17 +128,13 @@ void StudyScreen::build() {
     column->setSpacing(context().theme().px(12));
     column->addWidget(headRow());
     column->addWidget(toolRow());
-    m_bar = new QTabBar;
-    m_bar->setObjectName(QStringLiteral("study.tabs"));
-    m_bar->setAccessibleName(tr("Parts of the study"));
-    m_bar->setFont(context().theme().font(TextStyle::body));
-    m_bar->setDrawBase(false);
-    m_bar->setExpanding(false);
-    m_bar->setUsesScrollButtons(true);
     const QLocale locale = context().locale();
+    QStringList names;
     for (const QString& name : {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"),
                                 m_open.editable() ? tr("Check and freeze") : tr("Participants")})
-        m_bar->addTab(m_open.editable() ? tr("%1. %2").arg(locale.toString(m_bar->count() + 1), name) : name);
+        names << (m_open.editable() ? tr("%1. %2").arg(locale.toString(names.size() + 1), name) : name);
+    m_bar = kit::tabBar(context().theme(), tr("Parts of the study"), names);
+    m_bar->setObjectName(QStringLiteral("study.tabs"));
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
     column->addWidget(m_bar);

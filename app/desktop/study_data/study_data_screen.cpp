@@ -128,14 +128,9 @@ void StudyDataScreen::build() {
     column->setSpacing(theme.px(12));
     column->addWidget(headRow());
     column->addWidget(toolRow());
-    m_bar = new QTabBar;
+    m_bar = kit::tabBar(theme, tr("Views of the data"),
+                        {tr("Group"), tr("Person"), tr("Trials"), tr("Questions"), tr("Comparison")});
     m_bar->setObjectName(QStringLiteral("data.tabs"));
-    m_bar->setAccessibleName(tr("Views of the data"));
-    m_bar->setFont(theme.font(TextStyle::body));
-    m_bar->setDrawBase(false);
-    m_bar->setExpanding(false);
-    for (const QString& name : {tr("Group"), tr("Person"), tr("Trials"), tr("Questions"), tr("Comparison")})
-        m_bar->addTab(name);
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, [this](int tab) {
         m_tab = tab;

@@ -141,10 +141,10 @@ QWidget* RunScreen::choiceBox() {
         const QString code = QString::fromStdString(row.participant.code);
         if (!row.participant.simulated)
             m_participantChoice->addItem(
-                tr("%1 · %2").arg(code, study_words::participantState(row.participant.state)), code);
+                tr("%1 · %2").arg(code, participantStanding(*study(), row, context().locale())), code);
     }
     if (m_participant.isEmpty())
-        m_participant = firstChoice();
+        m_participant = nextWaiting();
     const int wanted = m_participantChoice->findData(m_participant);
     m_participantChoice->setCurrentIndex(std::max(0, wanted));
     m_participant = m_participantChoice->currentData().toString();
@@ -267,8 +267,29 @@ QWidget* RunScreen::participantBox() {
         step->setObjectName(QStringLiteral("run.next_step"));
         box.layout->addWidget(step);
     }
-    addEnrol(*box.layout, !offered);
+    addOthers(*box.layout, !offered);
     return box.frame;
+}
+
+void RunScreen::addOthers(QVBoxLayout& layout, bool first) {
+    const QString waiting = first ? nextWaiting(m_participant) : QString();
+    if (!waiting.isEmpty()) {
+        auto* go = kit::button(context().theme(), tr("Go on with %1").arg(waiting), "primary",
+                               QStringLiteral("go-next"));
+        go->setObjectName(QStringLiteral("run.next"));
+        // Queued, because the button goes with the participant who is shown.
+        connect(
+            go, &QPushButton::clicked, this, [this, waiting] { goOnWith(waiting); }, Qt::QueuedConnection);
+        layout.addWidget(go, 0, Qt::AlignLeft);
+    }
+    addEnrol(layout, first && waiting.isEmpty());
+}
+
+void RunScreen::goOnWith(const QString& participant) {
+    m_participant = participant;
+    m_participantChoice->setCurrentIndex(m_participantChoice->findData(participant));
+    m_participantChoice->setFocus(Qt::OtherFocusReason);
+    showParticipant();
 }
 
 /// Enrolling the next participant must be possible here, without going to another page.

@@ -42,10 +42,15 @@ private:
     static QVBoxLayout* buttonCell(QHBoxLayout& line);
     QWidget* leftBox(); ///< interrupted runs of the other participants; null if there are none
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
-    /// The participant who was interrupted last, else the first one who still takes part.
-    QString firstChoice() const;
+    /// The code of somebody who is waiting, besides `except`: who was interrupted last, else the first in the
+    /// list. Empty if there is nobody.
+    QString nextWaiting(const QString& except = {}) const;
     QWidget* participantBox();
+    /// Going on with somebody who is waiting, and enrolling somebody. `first`: nothing else is left to do for
+    /// the participant who is shown.
+    void addOthers(QVBoxLayout& layout, bool first);
     void addEnrol(QVBoxLayout& layout, bool first); ///< `first`: nothing else is left to do on this screen
+    void goOnWith(const QString& participant);
     void enrol();
     void askConsent(const database::Participant& participant);
     /// The notice for a device that renders no force; otherwise null.

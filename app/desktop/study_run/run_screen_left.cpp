@@ -20,19 +20,17 @@ QVBoxLayout* RunScreen::buttonCell(QHBoxLayout& line) {
     return column;
 }
 
-QString RunScreen::firstChoice() const {
+QString RunScreen::nextWaiting(const QString& except) const {
     const ParticipantRow* first = nullptr;
     const ParticipantRow* last = nullptr;
     std::string when;
     for (const ParticipantRow& row : study()->participants) {
-        const auto state = row.participant.state;
-        if (row.participant.simulated)
+        if (!isWaiting(*study(), row) || QString::fromStdString(row.participant.code) == except)
             continue;
-        if (!first &&
-            (state == database::ParticipantState::enrolled || state == database::ParticipantState::consented))
+        if (!first)
             first = &row;
         for (const LeftRun& left : row.left)
-            if (state == database::ParticipantState::consented && left.lastUtc > when) {
+            if (left.lastUtc > when) {
                 last = &row;
                 when = left.lastUtc;
             }

@@ -224,7 +224,7 @@ void TrainingScreen::buildSide() {
 }
 
 QWidget* TrainingScreen::buildDetailsSwitch() {
-    const database::RoleSet& roles = context().actor().roles();
+    const database::RoleSet& roles = context().roles();
     const bool learns = roles.contains(database::Role::trainee) || roles.empty();
     m_details = new QCheckBox(tr("All measurements (F4)"));
     m_details->setObjectName(QStringLiteral("training.details"));

@@ -2,6 +2,7 @@
 #include "desktop/widgets/kit.h"
 
 #include <QHBoxLayout>
+#include <QTabBar>
 #include <cstring>
 
 namespace chiron::desktop::kit {
@@ -73,6 +74,19 @@ QPushButton* iconButton(const Theme& theme, const QString& icon, const QString& 
     made->setAccessibleName(text);
     made->setToolTip(text);
     return made;
+}
+
+QTabBar* tabBar(const Theme& theme, const QString& name, const QStringList& tabs) {
+    auto* bar = new QTabBar;
+    bar->setAccessibleName(name);
+    bar->setFont(theme.font(TextStyle::body));
+    bar->setDrawBase(false);
+    bar->setExpanding(false);
+    bar->setUsesScrollButtons(true);
+    bar->setFocusPolicy(Qt::StrongFocus);
+    for (const QString& tab : tabs)
+        bar->addTab(tab);
+    return bar;
 }
 
 Box box(const Theme& theme, const char* kind) {

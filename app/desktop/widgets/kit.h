@@ -7,7 +7,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QString>
+#include <QStringList>
 #include <QVBoxLayout>
+
+class QTabBar;
 
 namespace chiron::desktop::kit {
 
@@ -28,6 +31,10 @@ QPushButton* button(const Theme& theme, const QString& text, const char* kind = 
 void allowUnless(QPushButton& button, const QString& reason);
 /// A button with an icon only. `text` is its accessible name and tool tip.
 QPushButton* iconButton(const Theme& theme, const QString& icon, const QString& text);
+
+/// A bar of tabs over a page that is built anew for each. A click gives it the focus, because the page that
+/// had it goes. `name` is its accessible name.
+QTabBar* tabBar(const Theme& theme, const QString& name, const QStringList& tabs);
 
 /// A framed box with padding and a vertical layout: kind "card", "raised", "good", "warning", "bad", "info".
 struct Box {

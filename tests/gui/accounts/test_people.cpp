@@ -33,6 +33,7 @@ private slots:
     void addByKeyboardAndHandThePasswordOver();
     void findByTyping();
     void changeRoles();
+    void ownRolesShowAtOnce();
     void rolesSayWhoDoesStudies();
     void disableAndUndo();
     void resetWithATypedPassword();
@@ -134,6 +135,34 @@ void TestPeople::changeRoles() {
     desk.click("roles.accept");
     QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"), kPatience_ms);
     QVERIFY(desk.actor("tina").roles() == database::RoleSet{database::Role::trainer});
+}
+
+/// The side bar follows; who is no administrator any more does not stay here.
+void TestPeople::ownRolesShowAtOnce() {
+    PeopleDesk desk;
+    QVERIFY(!desk.find<QPushButton>(QStringLiteral("nav.results")));
+    desk.choose(QStringLiteral("ada"));
+    desk.click("people.roles");
+    desk.find<QCheckBox>(QStringLiteral("roles.trainee"))->click();
+    desk.click("roles.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("nav.results")), kPatience_ms);
+    QVERIFY(desk.context.has(database::Role::trainee));
+    QVERIFY(!desk.told.isEmpty() && !desk.lastAction); // nothing else is to be done
+    QCOMPARE(desk.context.navigator().current().screen, QStringLiteral("people"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roles") && desk.rowOf(QStringLiteral("ada")) >= 0 &&
+                                 desk.cell(QStringLiteral("ada"), 2).contains(QStringLiteral("Trainee")),
+                             kPatience_ms);
+    QVERIFY(database::AccountService(desk.database())
+                .setRoles(desk.actor("ada"), desk.actor("tom").personId(),
+                          {database::Role::trainer, database::Role::admin})
+                .has_value());
+    desk.choose(QStringLiteral("ada"));
+    desk.click("people.roles");
+    desk.find<QCheckBox>(QStringLiteral("roles.admin"))->click();
+    desk.click("roles.accept");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.context.navigator().current().screen, QStringLiteral("home"),
+                              kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QPushButton>(QStringLiteral("nav.people")), kPatience_ms);
 }
 
 /// As the access table has it: a role's description names studies where the role may begin or run them.

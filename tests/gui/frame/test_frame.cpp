@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/languages.h"
+#include "database/access/access_table.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/background.h"
 #include "desktop/frame/command_palette.h"
@@ -12,6 +13,7 @@
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/settings/settings_screen.h"
+#include "desktop/studies/studies_screen.h"
 #include "desktop/widgets/logo.h"
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
@@ -40,6 +42,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <tuple>
+#include <utility>
 
 using chiron::tests::kPatience_ms;
 
@@ -70,6 +73,38 @@ private slots:
         QTest::keyClicks(field, QStringLiteral("settings"));
         QTest::keyClick(field, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
+    }
+
+    /// As the access table has it: whoever may do what a screen is for finds the screen.
+    void everyRoleFindsWhatItMayDo() {
+        using database::Action;
+        const std::pair<const char*, Action> screens[]{
+            {"studies", Action::createStudy},    {"study_run", Action::beginRun},
+            {"study_data", Action::studyTrials}, {"progress", Action::listPeople},
+            {"people", Action::createPerson},    {"storage", Action::backup}};
+        for (const char* person : {"ada", "tom", "rhea", "tina"}) {
+            tests::DesktopFixture desktop;
+            desktop.logIn(person);
+            for (const auto& [screen, action] : screens) {
+                const bool may = database::scopeOf(action, database::ActorKind::person,
+                                                   desktop.actor(person).roles()) != database::Scope::none;
+                const QString name = QStringLiteral("nav.") + QLatin1String(screen);
+                QVERIFY2((desktop.find<QPushButton>(name) != nullptr) == may,
+                         qPrintable(QString::fromLatin1(person) + QLatin1Char(' ') + name));
+            }
+        }
+    }
+
+    void anAdministratorFindsTheStudies() {
+        tests::DesktopFixture desktop;
+        desktop.logIn("ada");
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("home.studies")), kPatience_ms);
+        QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);
+        auto* field = desktop.find<QLineEdit>(QStringLiteral("palette.field"));
+        QTest::keyClicks(field, QStringLiteral("studies"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<StudiesScreen>(), kPatience_ms);
     }
 
     /// Whoever scrolls a page with the pointer over a field does not change the field.

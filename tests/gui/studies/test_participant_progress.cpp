@@ -67,6 +67,35 @@ private slots:
                 left[1].state == ConditionProgress::State::ended);
         QVERIFY(desktop::progressWords(open, left[1], kEnglish).contains(QStringLiteral("broken off")));
     }
+    void howSomebodyStandsInTheList() {
+        const auto stands = [](ParticipantState state,
+                               std::vector<std::pair<std::string, StudyRunState>> runs) {
+            return desktop::participantStanding(study(), row(state, std::move(runs)), kEnglish);
+        };
+        QCOMPARE(stands(ParticipantState::enrolled, {}), QStringLiteral("Consent missing"));
+        QCOMPARE(stands(ParticipantState::consented, {}), QStringLiteral("not begun yet"));
+        QCOMPARE(stands(ParticipantState::consented, {{"stiffness", StudyRunState::open}}),
+                 QStringLiteral("0 of 2 done, one interrupted"));
+        QCOMPARE(stands(ParticipantState::consented, {{"stiffness", StudyRunState::completed}}),
+                 QStringLiteral("1 of 2 done"));
+        QCOMPARE(stands(ParticipantState::withdrawn, {{"stiffness", StudyRunState::stopped}}),
+                 QStringLiteral("Withdrawn"));
+    }
+    void whoIsWaiting() {
+        QVERIFY(desktop::isWaiting(study(), row(ParticipantState::enrolled, {})));
+        QVERIFY(!desktop::isWaiting(study(StudyState::closed), row(ParticipantState::enrolled, {})));
+        const ParticipantRow half = row(ParticipantState::consented, {{"stiffness", StudyRunState::open}});
+        for (const StudyState state : {StudyState::frozen, StudyState::closed})
+            QVERIFY(desktop::isWaiting(study(state), half)); // it can be finished
+        QVERIFY(!desktop::isWaiting(study(StudyState::closed), row(ParticipantState::consented, {})));
+        QVERIFY(!desktop::isWaiting(study(), row(ParticipantState::withdrawn, {})));
+        const ParticipantRow all = row(ParticipantState::consented, {{"stiffness", StudyRunState::completed},
+                                                                     {"mass", StudyRunState::completed}});
+        QVERIFY(!desktop::isWaiting(study(), all));
+        OpenStudy asks = study();
+        asks.design.questionnaires = tests::smallStudy("asks").questionnaires;
+        QVERIFY(desktop::isWaiting(asks, all));
+    }
     void whatComesNext() {
         const auto next = [](const OpenStudy& open, const ParticipantRow& of) {
             return desktop::nextStepFor(open, of, QStringLiteral("en"));

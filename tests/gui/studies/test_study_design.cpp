@@ -13,6 +13,7 @@
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/rules_page.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_titles.h"
@@ -68,7 +69,9 @@ private slots:
     void aCopyOfAFrozenStudy();
     void titlesOfCopies();
     void aTemplateIsFoundByWords();
+    void aSuggestedTitleIsTypedOver();
     void arrowKeysKeepTheTemplateInSight();
+    void focusStaysWithThePage();
     void everyTaskHasABlankStart();
     void namesThatAreTaken();
     void shortNamesFollowTheirTitles();
@@ -445,6 +448,60 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
     QCOMPARE(title->text(), QStringLiteral("Mine"));
     QVERIFY(!shown<QPushButton>("new_study.template.stiffness_2afc"));
     click("new_study.cancel");
+}
+
+/// Also by somebody who clicks into the title, which has the focus already; the next click places the cursor.
+void TestStudyDesign::aSuggestedTitleIsTypedOver() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
+    click("studies.new");
+    QVERIFY(QTest::qWaitForWindowActive(m_site->find<QDialog>(QStringLiteral("new_study"))));
+    click("new_study.template.new_2afc");
+    auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
+    auto* key = m_site->find<QLineEdit>(QStringLiteral("new_study.key"));
+    QTRY_VERIFY_WITH_TIMEOUT(!title->visibleRegion().isEmpty(), kPatience_ms);
+    const QPoint end(title->width() - 4, title->height() / 2);
+    QTest::mouseClick(title, Qt::LeftButton, {}, end);
+    QVERIFY(!title->text().isEmpty() && title->selectedText() == title->text());
+    QTest::mouseClick(title, Qt::LeftButton, {}, end);
+    QVERIFY(!title->hasSelectedText());
+    key->setFocus(Qt::OtherFocusReason);
+    QVERIFY(!key->text().isEmpty() && key->selectedText() == key->text());
+    QTest::mouseClick(title, Qt::LeftButton, {}, end);
+    QTest::keyClicks(title, QStringLiteral("Stiffness, two surfaces"));
+    QCOMPARE(title->text(), QStringLiteral("Stiffness, two surfaces"));
+    QTest::mouseClick(title, Qt::LeftButton, {}, end);
+    QVERIFY(!title->hasSelectedText()); // it is no suggestion any more
+    click("new_study.cancel");
+}
+
+/// On the tab that was clicked, on the page that came instead, or on the next screen; never in the side bar.
+void TestStudyDesign::focusStaysWithThePage() {
+    openDraft(tests::smallStudy("focus"));
+    m_site->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_site->window.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("design.objective"), kPatience_ms);
+    auto* bar = find<QTabBar>("study.tabs");
+    shown<QWidget>("design.objective")->setFocus();
+    QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(StudyScreen::conditionsTab).center());
+    QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(bar), kPatience_ms);
+    bar->setCurrentIndex(StudyScreen::generalTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("design.objective"), kPatience_ms);
+    shown<QWidget>("design.objective")->setFocus();
+    bar->setCurrentIndex(StudyScreen::trialsTab);
+    const auto inThePage = [this] {
+        const auto* page = screen()->findChild<desktop::RulesPage*>();
+        const QWidget* at = QApplication::focusWidget();
+        return page && at && at != page && page->isAncestorOf(at);
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(inThePage(),
+                              qPrintable(QApplication::focusWidget()
+                                             ? QApplication::focusWidget()->objectName()
+                                             : QStringLiteral("nowhere")),
+                              kPatience_ms);
+    m_site->go(QStringLiteral("study_run"));
+    QVERIFY(m_site->window->screen()->isAncestorOf(QApplication::focusWidget()));
 }
 
 /// Besides the complete templates; and whatever is clicked, the next thing to type is the title.

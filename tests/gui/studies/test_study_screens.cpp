@@ -59,6 +59,7 @@ private slots:
     void theTableOfTrialsFits();
     void whatGroupsIncludeIsRemembered();
     void theNextParticipantIsEnrolledWhereTheyAreRun();
+    void whoWaitsComesBeforeTheNext();
     void archivedWithUndo();
 
 private:
@@ -192,7 +193,11 @@ void TestStudyScreens::enrolledAndConsented() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) &&
                                  m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(),
                              kPatience_ms);
-    QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("participants.table"))->item(0, 0)->text(), m_code);
+    const auto* table = m_site->find<QTableWidget>(QStringLiteral("participants.table"));
+    QCOMPARE(table->item(0, 0)->text(), m_code);
+    const QTableWidgetItem* row = table->horizontalHeaderItem(3); // of the design, not of the list
+    QCOMPARE(row->text(), QStringLiteral("Design row"));
+    QVERIFY2(row->toolTip().contains(QStringLiteral("Williams design")), qPrintable(row->toolTip()));
 }
 
 /// Whoever was enrolled last is selected, and stays so when the list is read anew: Run acts on them.
@@ -668,6 +673,31 @@ void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
         chosen(), code,
         kPatience_ms); // the page behind the dialog shows somebody else until it is read again
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
+}
+
+/// Whoever is done is followed by somebody who waits; enrolling another person comes second.
+void TestStudyScreens::whoWaitsComesBeforeTheNext() {
+    auto connection = m_site->database().openReader();
+    const auto participants =
+        database::StudyReader(**connection, m_site->context.actor()).participants(m_data);
+    QVERIFY(participants.has_value());
+    QString done;
+    for (const database::Participant& each : *participants)
+        if (!each.simulated && each.state == database::ParticipantState::completed)
+            done = QString::fromStdString(each.code);
+    QVERIFY(!done.isEmpty());
+    go("study_run", {{QStringLiteral("study"), qlonglong(m_data)}, {QStringLiteral("participant"), done}});
+    const auto button = [this](const char* name) {
+        return m_site->window->screen()->findChild<QPushButton*>(QLatin1String(name));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(button("run.next") && button("run.enrol"), kPatience_ms);
+    QCOMPARE(button("run.next")->property("kind").toString(), QStringLiteral("primary"));
+    QCOMPARE(button("run.enrol")->property("kind").toString(), QString());
+    button("run.next")->click();
+    const auto* choice = m_site->window->screen()->findChild<QComboBox*>(QStringLiteral("run.participant"));
+    QTRY_VERIFY_WITH_TIMEOUT(choice->currentData().toString() != done, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(button("run.begin") || button("run.consent"), kPatience_ms);
+    QVERIFY(!button("run.next")); // first the one who is here now
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.
