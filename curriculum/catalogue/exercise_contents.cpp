@@ -24,17 +24,17 @@ template <class Parameters> int toolsOf(const ExerciseParameters& parameters) {
 std::span<const ExerciseContent> exerciseContents() {
     // One line per exercise, in the order in which people see them.
     static constexpr auto kContents = std::to_array<ExerciseContent>({
-        {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
-        {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion,
-         "tissue"},
-        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "",
+        {"sphere_apex", "sphere_apex_parameters", sphereApexSchema, readSphereApex, checkSphereApex},
+        {"urethra_insertion", "urethra_insertion_parameters", urethraInsertionSchema, readUrethraInsertion,
+         checkUrethraInsertion, "tissue"},
+        {"elastic_tube", "elastic_tube_parameters", elasticTubeSchema, readElasticTube, checkElasticTube, "",
          toolsOf<simulation::ElasticTubeParameters>},
-        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling, "",
-         toolsOf<simulation::ObjectHandlingParameters>},
-        {"palpation", "palpation_parameters", readPalpation, checkPalpation, "",
+        {"object_handling", "object_handling_parameters", objectHandlingSchema, readObjectHandling,
+         checkObjectHandling, "", toolsOf<simulation::ObjectHandlingParameters>},
+        {"palpation", "palpation_parameters", palpationSchema, readPalpation, checkPalpation, "",
          toolsOf<simulation::PalpationParameters>},
         // Used by studies: no content file has such an exercise.
-        {"comparison", "comparison_parameters", readComparison, checkComparison},
+        {"comparison", "comparison_parameters", nullptr, readComparison, checkComparison},
     });
     return kContents;
 }

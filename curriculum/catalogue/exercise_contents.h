@@ -4,6 +4,7 @@
 #include "catalogue/exercise.h"
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
 #include <span>
 #include <string_view>
 
@@ -14,6 +15,8 @@ namespace chiron::catalogue {
 struct ExerciseContent {
     std::string_view id;
     std::string_view parametersSchema; ///< file in content/schema, without .json
+    /// Returns that file, made of the rows of the parameters; null where no content has such parameters.
+    QByteArray (*schema)();
     /// Reads the level's `parameters`, with every default filled in. A key that is absent (the content was
     /// stored before the key existed) keeps the struct's own default, which must mean what the code did
     /// before.

@@ -3,7 +3,12 @@
 
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
+
 namespace chiron::catalogue {
+
+/// Returns content/schema/elastic_tube_parameters.json, made of the rows from which the parameters are read.
+QByteArray elasticTubeSchema();
 
 /// Reads simulation::ElasticTubeParameters from the keys of content/schema/elastic_tube_parameters.json.
 /// Unit: mm and degrees in the JSON; SI in the result.

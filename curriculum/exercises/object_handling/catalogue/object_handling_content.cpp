@@ -3,10 +3,8 @@
 
 #include "catalogue/object_content.h"
 #include "catalogue/yield_content.h"
-#include "core/units.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace chiron::catalogue {
@@ -14,96 +12,84 @@ namespace chiron::catalogue {
 namespace {
 
 using Parameters = simulation::ObjectHandlingParameters;
+using Row = ParameterRow<Parameters>;
+using simulation::HandlingTask;
 
-struct Number {
-    const char* name;
-    double Parameters::*member;
-    double perUnit; ///< content units per SI unit
-};
-
-struct Whole {
-    const char* name;
-    int Parameters::*member;
-};
-
-constexpr double kMm = 1000.0;
-constexpr double kG = 1000.0;
-
-constexpr Number kNumbers[] = {
-    {"bed_rate_Hz", &Parameters::bedRate_Hz, 1.0},
-    {"mass_low_g", &Parameters::massLow_kg, kG},
-    {"mass_high_g", &Parameters::massHigh_kg, kG},
-    {"mass_ratio", &Parameters::massRatio, 1.0},
-    {"radius_mm", &Parameters::radius_m, kMm},
-    {"places_radius_mm", &Parameters::placesRadius_m, kMm},
-    {"target_radius_mm", &Parameters::targetRadius_m, kMm},
-    {"squeeze_limit_N", &Parameters::squeezeLimit_N, 1.0},
-    {"jaw_length_mm", &Parameters::jawLength_m, kMm},
-    {"grasp_reach_mm", &Parameters::graspReach_m, kMm},
-    {"release_clearance_mm", &Parameters::releaseClearance_m, kMm},
-    {"lift_height_mm", &Parameters::liftHeight_m, kMm},
-    {"drop_speed_mm_per_s", &Parameters::dropSpeed_m_per_s, kMm},
-    {"hold_s", &Parameters::hold_s, 1.0},
-    {"trial_limit_s", &Parameters::trialLimit_s, 1.0},
-    {"between_trials_s", &Parameters::betweenTrials_s, 1.0},
-    {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
-};
-
-constexpr Whole kWholes[] = {
-    {"bed_latency_ticks", &Parameters::bedLatency_ticks},
-    {"objects", &Parameters::objects},
-    {"trials", &Parameters::trials},
-};
-
-constexpr const char* kOthers[] = {"task", "object", "bed", "organ_bed", "bed_mesh"};
-
-void readTask(const ObjectReader& parameters, Parameters& p) {
-    const std::string task = parameters.text("task");
-    if (task == "weigh")
-        p.task = simulation::HandlingTask::weigh;
-    else if (task == "place")
-        p.task = simulation::HandlingTask::place;
-    else
-        parameters.problems().push_back({memberPath(parameters.path(), "task"),
-                                         quoted(QString::fromStdString(task)),
-                                         QStringLiteral("\"place\" or \"weigh\"")});
-}
-
-std::vector<QString> knownKeys() {
-    std::vector<QString> known;
-    for (const Number& key : kNumbers)
-        known.push_back(QLatin1String(key.name));
-    for (const Whole& key : kWholes)
-        known.push_back(QLatin1String(key.name));
-    for (const char* key : kYieldKeys)
-        known.push_back(QLatin1String(key));
-    for (const char* key : kOthers)
-        known.push_back(QLatin1String(key));
-    return known;
+/// The parameters of a level, in the order of the schema.
+const std::vector<Row>& rows() {
+    static const std::vector<Row> kRows{
+        Row::choice<HandlingTask>("task", {{"place", HandlingTask::place}, {"weigh", HandlingTask::weigh}},
+                                  &Parameters::task,
+                                  "place: lift the object and set it down in the target; weigh: of several "
+                                  "that look alike, set the heaviest down there (P2's mass study)."),
+        Row::reference("object", kNamedObject, readObject, "ovary", &Parameters::object,
+                       "What is handled: an object of content/objects, and what differs from it."),
+        Row::reference("bed", kNamedObject, readObject, "plane", &Parameters::bed, "What it lies on."),
+        Row::flag("organ_bed", &Parameters::organBed,
+                  "The bed is a deformable organ, simulated at the slow rate beside the force loop (P2, two "
+                  "rates)."),
+        Row::reference("bed_mesh", kNamedMesh, readMesh, "organ", &Parameters::bedMesh, "Of the organ."),
+        Row::number("bed_rate_Hz", {"Hz"}, {30, 50}, &Parameters::bedRate_Hz,
+                    "How often the organ is simulated."),
+        Row::whole("bed_latency_ticks", {20, 33}, &Parameters::bedLatency_ticks,
+                   "An answer of the organ's model takes effect this many ticks of 1 ms after it was asked "
+                   "for, and is blended in over as many: at most one period of bed_rate_Hz."),
+        Row::whole("objects", {1, 3}, &Parameters::objects, "How many objects lie on the bed."),
+        Row::number("mass_low_g", units::kG, {0, 200}, &Parameters::massLow_kg,
+                    "Each object of a trial draws its mass uniformly between low and high; both 0: the "
+                    "object's own."),
+        Row::number("mass_high_g", units::kG, {0, 200}, &Parameters::massHigh_kg, "Upper end of a mass."),
+        Row::number("mass_ratio", units::kPure, {1.05, 5}, &Parameters::massRatio,
+                    "weigh: the heaviest is at least this many times as heavy as the next."),
+        Row::number("radius_mm", units::kMm, {4, 16}, &Parameters::radius_m,
+                    "Of the object, half its thickness between the jaws; an ovary is about 30 x 20 x 15 mm. "
+                    "Assumption."),
+        Row::number("places_radius_mm", units::kMm, {10, 60}, &Parameters::placesRadius_m,
+                    "Objects and target are drawn in this disc round the middle of the field."),
+        Row::number("target_radius_mm", units::kMm, {4, 40}, &Parameters::targetRadius_m,
+                    "An object whose middle is within it lies in the target."),
+        Row::number("squeeze_limit_N", units::kN, {0.1, 10}, &Parameters::squeezeLimit_N,
+                    "Grip force of each jaw beyond which the tissue counts as crushed; no measured limit for "
+                    "an ovary is known to us. Assumption."),
+        Row::number("jaw_length_mm", units::kMm, {8, 40}, &Parameters::jawLength_m,
+                    "From the joint of the jaws to their tips."),
+        Row::number("grasp_reach_mm", units::kMm, {0, 15}, &Parameters::graspReach_m,
+                    "How near to the object's surface the tip has to be to take hold of it."),
+        Row::number("release_clearance_mm", units::kMm, {0.2, 8}, &Parameters::releaseClearance_m,
+                    "The jaws let go when they are so much wider than the object, and have to be opened as "
+                    "wide before they can take hold."),
+        Row::number("lift_height_mm", units::kMm, {2, 80}, &Parameters::liftHeight_m,
+                    "How high it has to be lifted on the way."),
+        Row::number("drop_speed_mm_per_s", units::kMm_per_s, {20, 1000}, &Parameters::dropSpeed_m_per_s,
+                    "An object that was let go and strikes the bed faster counts as dropped; 150 mm/s: 1.1 "
+                    "mm of fall."),
+        Row::number("hold_s", units::kS, {0.1, 10}, &Parameters::hold_s,
+                    "How long it has to lie at rest in the target, let go."),
+        Row::whole("trials", {1, 32}, &Parameters::trials, "Objects to handle, one after the other."),
+        Row::number("trial_limit_s", units::kS, {5, 600}, &Parameters::trialLimit_s,
+                    "After it a trial ends unfinished."),
+        Row::number("between_trials_s", units::kS, {0.001, 30}, &Parameters::betweenTrials_s,
+                    "Pause between two trials, without objects."),
+        Row::number(
+            "maximum_force_N", units::kN, {0.5, 4.5}, &Parameters::maximumForce_N,
+            "The exercise's force cap for the supervisor and the limit of the over-the-limit metrics."),
+        yieldForceRow<Parameters>(),
+        yieldFallRow<Parameters>()};
+    return kRows;
 }
 
 } // namespace
 
+QByteArray objectHandlingSchema() {
+    return parametersSchema(
+        {"Parameters of object_handling",
+         "Loose objects on a bed, to be lifted, weighed and placed (P2; models.md §2.2)."},
+        rows());
+}
+
 ExerciseParameters readObjectHandling(const ObjectReader& parameters, const std::vector<std::string>& cues) {
     Parameters p;
-    for (const Number& key : kNumbers)
-        if (parameters.has(QLatin1String(key.name)))
-            p.*key.member = parameters.number(QLatin1String(key.name)) / key.perUnit;
-    for (const Whole& key : kWholes)
-        if (parameters.has(QLatin1String(key.name)))
-            p.*key.member = parameters.integer(QLatin1String(key.name));
-    if (parameters.has("task"))
-        readTask(parameters, p);
-    if (parameters.has("organ_bed"))
-        p.organBed = parameters.boolean("organ_bed");
-    readYield(parameters, p.yield);
-    if (parameters.has("object"))
-        p.object = readObject(parameters.object("object"));
-    if (parameters.has("bed"))
-        p.bed = readObject(parameters.object("bed"));
-    if (parameters.has("bed_mesh"))
-        p.bedMesh = readMesh(parameters.object("bed_mesh"));
-    refuseUnknownKeys(parameters, knownKeys(), QStringLiteral("a parameter of object_handling"));
+    readParameters(rows(), parameters, QStringLiteral("a parameter of object_handling"), p);
     p.cues = cues;
     return ExerciseParameters(std::move(p));
 }

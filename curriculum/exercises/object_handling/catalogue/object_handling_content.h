@@ -3,7 +3,13 @@
 
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
+
 namespace chiron::catalogue {
+
+/// Returns content/schema/object_handling_parameters.json, made of the rows from which the parameters are
+/// read.
+QByteArray objectHandlingSchema();
 
 /// Reads simulation::ObjectHandlingParameters from the keys of
 /// content/schema/object_handling_parameters.json.

@@ -3,7 +3,12 @@
 
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
+
 namespace chiron::catalogue {
+
+/// Returns content/schema/palpation_parameters.json, made of the rows from which the parameters are read.
+QByteArray palpationSchema();
 
 /// Reads simulation::PalpationParameters from the keys of content/schema/palpation_parameters.json.
 /// Unit: mm in the JSON; m in the result.

@@ -14,61 +14,92 @@ namespace chiron::catalogue {
 namespace {
 
 using Parameters = simulation::SphereApexParameters;
+using Row = ParameterRow<Parameters>;
+using simulation::ApexSurface;
 
-struct Key {
-    const char* name;
-    double Parameters::*member;
-    double perUnit; ///< content units per SI unit
-};
-
-constexpr double kMm = 1000.0;
-
-constexpr Key kKeys[] = {
-    {"radius_mm", &Parameters::radius_m, kMm},
-    {"plane_height_mm", &Parameters::planeHeight_m, kMm},
-    {"centre_disc_radius_mm", &Parameters::centreDiscRadius_m, kMm},
-    {"workspace_radius_mm", &Parameters::workspaceRadius_m, kMm},
-    {"stiffness_low_N_per_m", &Parameters::stiffnessLow_N_per_m, 1.0},
-    {"stiffness_high_N_per_m", &Parameters::stiffnessHigh_N_per_m, 1.0},
-    {"stiffness_variation", &Parameters::stiffnessVariation, 1.0},
-    {"stiffness_wavelength_mm", &Parameters::stiffnessWavelength_m, kMm},
-    {"damping_N_s_per_m", &Parameters::damping_Ns_per_m, 1.0},
-    {"friction_low", &Parameters::frictionLow, 1.0},
-    {"friction_high", &Parameters::frictionHigh, 1.0},
-    {"bristle_stiffness_N_per_m", &Parameters::bristleStiffness_N_per_m, 1.0},
-    {"dimple_depth_mm", &Parameters::dimpleDepth_m, kMm},
-    {"dimple_radius_mm", &Parameters::dimpleRadius_m, kMm},
-    {"dimple_offset_mm", &Parameters::dimpleOffset_m, kMm},
-    {"mesh_edge_mm", &Parameters::meshEdge_m, kMm},
-    {"bump_height_mm", &Parameters::bumpHeight_m, kMm},
-    {"bump_wavelength_mm", &Parameters::bumpWavelength_m, kMm},
-    {"roughness_mm", &Parameters::roughness_m, kMm},
-    {"roughness_wavelength_mm", &Parameters::roughnessWavelength_m, kMm},
-    {"organ_stiffness_N_per_m", &Parameters::organStiffness_N_per_m, 1.0},
-    {"organ_spread_mm", &Parameters::organSpread_m, kMm},
-    {"organ_mass_g", &Parameters::organMass_kg, 1000.0},
-    {"organ_recovery_time_s", &Parameters::organRecoveryTime_s, 1.0},
-    {"organ_volume_keeping", &Parameters::organVolumeKeeping, 1.0},
-    {"organ_deepest_mm", &Parameters::organDeepest_m, kMm},
-    {"trial_limit_s", &Parameters::trialLimit_s, 1.0},
-    {"between_trials_s", &Parameters::betweenTrials_s, 1.0},
-    {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
-};
-
-/// Whole numbers, `trials` among them.
-constexpr struct {
-    const char* name;
-    int Parameters::*member;
-} kWholeKeys[] = {{"trials", &Parameters::trials},
-                  {"slow_period_ms", &Parameters::slowPeriod_ms},
-                  {"slow_latency_ms", &Parameters::slowLatency_ms}};
-
-constexpr struct {
-    const char* name;
-    simulation::ApexSurface surface;
-} kSurfaces[] = {{"exact", simulation::ApexSurface::exact},
-                 {"mesh", simulation::ApexSurface::mesh},
-                 {"organ", simulation::ApexSurface::organ}};
+/// The parameters of a level, in the order of the schema.
+const std::vector<Row>& rows() {
+    static const std::vector<Row> kRows{
+        Row::number("radius_mm", units::kMm, {5, 50}, &Parameters::radius_m, "Of the hemisphere."),
+        Row::number("plane_height_mm", units::kMm, {-100, 100}, &Parameters::planeHeight_m,
+                    "Height of the plane in the world frame."),
+        Row::number("centre_disc_radius_mm", units::kMm, {0, 150}, &Parameters::centreDiscRadius_m,
+                    "Centres are drawn uniformly in this disc round the workspace's centre."),
+        Row::number("workspace_radius_mm", units::kMm, {10, 200}, &Parameters::workspaceRadius_m,
+                    "All of the sphere lies in this disc, seen from above."),
+        Row::number("stiffness_low_N_per_m", units::kN_per_m, {50, 2000}, &Parameters::stiffnessLow_N_per_m,
+                    "Each trial draws its stiffness uniformly between low and high."),
+        Row::number("stiffness_high_N_per_m", units::kN_per_m, {50, 2000}, &Parameters::stiffnessHigh_N_per_m,
+                    "Upper end of a trial's stiffness."),
+        Row::number(
+            "stiffness_variation", units::kPure, {0, 0.8}, &Parameters::stiffnessVariation,
+            "a in k(x,y) = k(1 + a g(x,y)) with |g| at most 1: how much stiffness varies over the surface."),
+        Row::number("stiffness_wavelength_mm", units::kMm, {5, 100}, &Parameters::stiffnessWavelength_m,
+                    "Shortest wavelength of that variation."),
+        Row::number("damping_N_s_per_m", units::kNs_per_m, {0, 20}, &Parameters::damping_Ns_per_m,
+                    "Along the surface normal, faded in over the first 0.5 mm."),
+        Row::number("friction_low", units::kPure, {0, 1}, &Parameters::frictionLow,
+                    "Each trial draws its Coulomb coefficient uniformly between low and high."),
+        Row::number("friction_high", units::kPure, {0, 1}, &Parameters::frictionHigh,
+                    "Upper end of a trial's friction coefficient."),
+        Row::number("bristle_stiffness_N_per_m", units::kN_per_m, {100, 2000},
+                    &Parameters::bristleStiffness_N_per_m,
+                    "Of the clipped bristle that friction is made of."),
+        Row::number("dimple_depth_mm", units::kMm, {0, 5}, &Parameters::dimpleDepth_m,
+                    "Of a decoy dimple on the ball; 0 for none."),
+        Row::number("dimple_radius_mm", units::kMm, {1, 20}, &Parameters::dimpleRadius_m,
+                    "Of the dimple, seen from above."),
+        Row::number("dimple_offset_mm", units::kMm, {0, 40}, &Parameters::dimpleOffset_m,
+                    "Distance of its centre from the apex, seen from above; its direction follows the seed."),
+        Row::choice<ApexSurface>(
+            "surface",
+            {{"exact", ApexSurface::exact}, {"mesh", ApexSurface::mesh}, {"organ", ApexSurface::organ}},
+            &Parameters::surface,
+            "Ball and plane as formulas, as a bumpy mesh with friction and roughness, or as that mesh "
+            "deformable at two rates; stiffness_* is then that of the local model."),
+        Row::number("mesh_edge_mm", units::kMm, {0.5, 5}, &Parameters::meshEdge_m,
+                    "Mean length of the mesh's edges."),
+        Row::number(
+            "bump_height_mm", units::kMm, {0, 2}, &Parameters::bumpHeight_m,
+            "Amplitude of smooth bumps on the mesh; none at the apex, which stays the highest point."),
+        Row::number("bump_wavelength_mm", units::kMm, {3, 50}, &Parameters::bumpWavelength_m,
+                    "Shortest wavelength of the bumps."),
+        Row::whole<std::uint64_t>("bump_seed", {1, 1000000}, &Parameters::bumpSeed,
+                                  "Of the bumps' pattern; each trial turns it by an angle of its own."),
+        Row::number("roughness_mm", units::kMm, {0, 0.2}, &Parameters::roughness_m,
+                    "Root mean square of the mesh's micro-height."),
+        Row::number("roughness_wavelength_mm", units::kMm, {1, 20}, &Parameters::roughnessWavelength_m,
+                    "Shortest wavelength of the roughness."),
+        Row::number("organ_stiffness_N_per_m", units::kN_per_m, {50, 5000},
+                    &Parameters::organStiffness_N_per_m,
+                    "K of the organ: a lasting press feels k K / (k + K), a quick one k."),
+        Row::number("organ_spread_mm", units::kMm, {1, 30}, &Parameters::organSpread_m,
+                    "How far a dent reaches round a press."),
+        Row::number("organ_mass_g", units::kG, {1, 500}, &Parameters::organMass_kg, "Of what moves."),
+        Row::number("organ_recovery_time_s", units::kS, {0, 2}, &Parameters::organRecoveryTime_s,
+                    "How long the organ takes to give way and to come back."),
+        Row::number("organ_volume_keeping", units::kPure, {0, 0.95}, &Parameters::organVolumeKeeping,
+                    "Share of the volume pressed in that bulges out elsewhere."),
+        Row::number("organ_deepest_mm", units::kMm, {1, 20}, &Parameters::organDeepest_m,
+                    "A press moves its place by no more than this."),
+        Row::whole("slow_period_ms", {20, 50}, &Parameters::slowPeriod_ms,
+                   "Between two questions to the slow model, and its step.", "ms"),
+        Row::whole("slow_latency_ms", {20, 50}, &Parameters::slowLatency_ms,
+                   "From a question to the tick at which its answer takes effect, and how long it is blended "
+                   "in: at most slow_period_ms.",
+                   "ms"),
+        Row::whole("trials", {1, 32}, &Parameters::trials, "In a set."),
+        Row::number("trial_limit_s", units::kS, {5, 600}, &Parameters::trialLimit_s,
+                    "After it an unmarked trial ends and counts as a miss."),
+        Row::number("between_trials_s", units::kS, {0, 30}, &Parameters::betweenTrials_s,
+                    "From a mark to the next sphere."),
+        Row::number(
+            "maximum_force_N", units::kN, {0.5, 10}, &Parameters::maximumForce_N,
+            "The exercise's force cap for the supervisor, and the limit of the over-the-limit metrics."),
+        yieldForceRow<Parameters>(),
+        yieldFallRow<Parameters>()};
+    return kRows;
+}
 
 QString mm(double length_m) {
     return QString::number(core::mmFromM(length_m)) + QStringLiteral(" mm");
@@ -112,32 +143,15 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
 
 } // namespace
 
+QByteArray sphereApexSchema() {
+    return parametersSchema({"Parameters of sphere_apex",
+                             "A hemisphere on a plane, its apex to be found and marked (models.md §2.3)."},
+                            rows());
+}
+
 ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues) {
     Parameters p;
-    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed"),
-                               QLatin1String(kYieldKeys[0]), QLatin1String(kYieldKeys[1])};
-    readYield(parameters, p.yield);
-    for (const Key& key : kKeys) {
-        known.push_back(QLatin1String(key.name));
-        if (parameters.has(known.back()))
-            p.*key.member = parameters.number(known.back()) / key.perUnit;
-    }
-    for (const auto& key : kWholeKeys) {
-        known.push_back(QLatin1String(key.name));
-        if (parameters.has(known.back()))
-            p.*key.member = parameters.integer(known.back());
-    }
-    if (parameters.has("bump_seed"))
-        p.bumpSeed = static_cast<std::uint64_t>(parameters.integer("bump_seed"));
-    if (parameters.has("surface"))
-        for (const auto& [name, surface] : kSurfaces)
-            if (parameters.text("surface") == name)
-                p.surface = surface;
-    for (const QString& key : parameters.json().keys())
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            parameters.problems().push_back(
-                {memberPath(parameters.path(), key), QStringLiteral("unknown key"),
-                 QStringLiteral("a parameter of sphere_apex") + didYouMean(key, known)});
+    readParameters(rows(), parameters, QStringLiteral("a parameter of sphere_apex"), p);
     p.cues = cues;
     return ExerciseParameters(std::move(p));
 }

@@ -3,7 +3,12 @@
 
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
+
 namespace chiron::catalogue {
+
+/// Returns content/schema/sphere_apex_parameters.json, made of the rows from which the parameters are read.
+QByteArray sphereApexSchema();
 
 /// Reads simulation::SphereApexParameters from the keys of content/schema/sphere_apex_parameters.json.
 /// Unit: mm in the JSON; m in the result.

@@ -3,7 +3,13 @@
 
 #include "catalogue/object_reader.h"
 
+#include <QByteArray>
+
 namespace chiron::catalogue {
+
+/// Returns content/schema/urethra_insertion_parameters.json, made of the rows from which the parameters are
+/// read.
+QByteArray urethraInsertionSchema();
 
 /// Reads simulation::UrethraInsertionParameters from the keys of
 /// content/schema/urethra_insertion_parameters.json.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/parameter_rows.h"
+
+namespace chiron::catalogue {
+
+JsonNode ParameterWords::schema(const std::optional<JsonNode>& byDefault) const {
+    JsonNode node = type;
+    if (byDefault)
+        node.add("default", *byDefault);
+    node.add("description", JsonNode::text(QString::fromUtf8(description)));
+    if (items)
+        node.add("items", *items);
+    return node;
+}
+
+double contentNumber(double si, double perSi) {
+    constexpr int kFewest = 15, kEnough = 17;
+    for (int digits = kFewest; digits <= kEnough; ++digits)
+        if (const double given = QString::number(si * perSi, 'g', digits).toDouble(); given / perSi == si)
+            return given;
+    return si * perSi;
+}
+
+JsonNode flagType() {
+    JsonNode node;
+    node.add("type", JsonNode::text(QStringLiteral("boolean")));
+    return node;
+}
+
+JsonNode identifierType() {
+    constexpr int kLongest = 40;
+    JsonNode node;
+    node.add("type", JsonNode::text(QStringLiteral("string")));
+    node.add("format", JsonNode::text(QStringLiteral("identifier")));
+    node.add("minLength", JsonNode::number(1));
+    node.add("maxLength", JsonNode::number(kLongest));
+    return node;
+}
+
+JsonNode choiceType(const QStringList& words) {
+    JsonNode node;
+    node.add("type", JsonNode::text(QStringLiteral("string")));
+    node.add("enum", JsonNode::texts(words).brief());
+    return node;
+}
+
+JsonNode referenceType(const NamedKind& kind) {
+    JsonNode node;
+    node.add("$ref", JsonNode::text(QLatin1String(kind.contentSchema) + QStringLiteral(".json")));
+    return node;
+}
+
+void refuseWord(const ObjectReader& json, const char* key, const std::string& given,
+                const QStringList& words) {
+    QStringList allowed;
+    for (const QString& word : words)
+        allowed << quoted(word);
+    const QString last = allowed.takeLast();
+    json.problems().push_back({memberPath(json.path(), QLatin1String(key)),
+                               quoted(QString::fromStdString(given)),
+                               allowed.join(QStringLiteral(", ")) + QStringLiteral(" or ") + last});
+}
+
+QByteArray parametersFile(const ParametersTitle& title, JsonNode properties) {
+    return schemaFile(QString::fromUtf8(title.title), QString::fromUtf8(title.description),
+                      std::move(properties), {}, title.layout);
+}
+
+} // namespace chiron::catalogue
