@@ -132,14 +132,20 @@ QJsonObject parametersJson(const Parameters& p) {
         out["free_first"] = true;
     // Absent where nothing gives way, and in sessions of earlier versions.
     if (std::isfinite(p.yield.force_N)) {
-        out[QLatin1String(kYieldKeys[0])] = p.yield.force_N;
-        out[QLatin1String(kYieldKeys[1])] = 1000.0 * p.yield.fall_s;
+        out[QLatin1String(kYieldForceKey)] = p.yield.force_N;
+        out[QLatin1String(kYieldFallKey)] = 1000.0 * p.yield.fall_s;
     }
     QJsonObject object;
     for (const Fixed& key : kFixed)
         object[QLatin1String(key.name)] = p.object.*key.member;
     out["object"] = object;
     return out;
+}
+
+const std::vector<ParameterRow<Parameters>>& yieldRows() {
+    static const std::vector<ParameterRow<Parameters>> kRows{yieldForceRow<Parameters>(),
+                                                             yieldFallRow<Parameters>()};
+    return kRows;
 }
 
 } // namespace
@@ -154,8 +160,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
     }
     for (const char* key : kOthers)
         known.push_back(QLatin1String(key));
-    for (const char* key : kYieldKeys)
-        known.push_back(QLatin1String(key));
+    for (const QString& key : keysOf(yieldRows()))
+        known.push_back(key);
     p.attribute = static_cast<simulation::ComparedAttribute>(wordOf(parameters, "attribute", kAttributes));
     if (parameters.has("control"))
         p.control = static_cast<simulation::ComparisonControl>(wordOf(parameters, "control", kControls));
@@ -176,7 +182,9 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.leaveBeforeAgain = parameters.boolean("leave_before_again");
     if (parameters.has("free_first"))
         p.freeFirst = parameters.boolean("free_first");
-    readYield(parameters, p.yield);
+    for (const ParameterRow<Parameters>& row : yieldRows())
+        if (parameters.has(row.key()))
+            row.read(parameters, p);
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
     p.cues = cues;
     return ExerciseParameters(std::move(p));
