@@ -2839,6 +2839,18 @@ Einzelheiten: %2</translation>
         <source>Nothing is left to do: this participant has withdrawn. If somebody else is to take their place, enrol that person.</source>
         <translation>Es ist nichts mehr zu tun: Diese Person hat sich zurückgezogen. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
     </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 von %2 fertig</translation>
+    </message>
+    <message>
+        <source>%1, one interrupted</source>
+        <translation>%1, eine unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1, one broken off</source>
+        <translation>%1, eine abgebrochen</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -3033,6 +3045,14 @@ Einzelheiten: %2</translation>
             <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
             <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Ziehen Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 ziehen oder sich im Mittel schneller als %2 pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Drücken Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 drücken oder sich im Mittel schneller als %2 pro Sekunde bewegen, wird wiederholt.</translation>
     </message>
 </context>
 <context>
@@ -4018,7 +4038,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Share of trials with the largest difference, which show whether a participant pays attention.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
     </message>
     <message>
         <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
@@ -4954,14 +4974,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>During the trials you hear a steady noise.</source>
         <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
     </message>
-    <message>
-        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -5460,16 +5472,8 @@ Einzelheiten: %2</translation>
         <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
     </message>
     <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
-        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring und heben sie dann.</translation>
-    </message>
-    <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Drücken Sie + und −, bis Ihnen beide gleich vorkommen, dann Enter.</translation>
-    </message>
-    <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up. To let go, lower the tool well below the ring, then raise it.</source>
-        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Ziehen drehen Sie es von sich weg oder halten Sie Bild auf. Zum Loslassen senken Sie das Instrument deutlich unter den Ring und heben es dann.</translation>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
@@ -5482,6 +5486,26 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
         <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up.</source>
+        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Ziehen drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle.</source>
+        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff.</translation>
+    </message>
+    <message>
+        <source>To let go, set the object down and press it lightly onto the table, then raise the tool.</source>
+        <translation>Zum Loslassen setzen Sie das Objekt ab und drücken es leicht auf den Tisch, dann heben Sie das Instrument.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool below the dashed line, then raise it.</source>
+        <translation>Zum Loslassen senken Sie das Instrument unter die gestrichelte Linie, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool %1 mm below the ring, then raise it.</source>
+        <translation>Zum Loslassen senken Sie das Instrument %1 mm unter den Ring, dann heben Sie es.</translation>
     </message>
 </context>
 <context>
@@ -6766,6 +6790,10 @@ Einzelheiten: %2</translation>
         <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
         <translation>Es sind zu wenige Antworten, um sie von Raten zu unterscheiden: Nur mehr Durchgänge können zeigen, ob der Unterschied wahrgenommen wurde.</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
 </context>
 <context>
     <name>StudyTitles</name>
@@ -7095,6 +7123,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Change object 2 until both seem the same.</source>
         <translation>Verändern Sie Objekt 2, bis Ihnen beide gleich vorkommen.</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
     </message>
 </context>
 <context>
@@ -9235,10 +9267,6 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Für die Versuchsleitung</translation>
     </message>
     <message>
-        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
-        <translation>Die Sitzung ist unterbrochen. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
-    </message>
-    <message>
         <source>Password of %1</source>
         <translation>Passwort von %1</translation>
     </message>
@@ -11125,10 +11153,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Bedingungen</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
-    </message>
-    <message>
         <source>Enrolled</source>
         <translation>Aufgenommen</translation>
     </message>
@@ -11155,10 +11179,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     <message>
         <source>Who is who …</source>
         <translation>Wer ist wer …</translation>
-    </message>
-    <message>
-        <source>%1 of %2 done</source>
-        <translation>%1 von %2 fertig</translation>
     </message>
     <message>
         <source>%1 (simulated)</source>
@@ -11197,16 +11217,16 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Es ist noch niemand aufgenommen.</translation>
     </message>
     <message>
-        <source>%1, one interrupted</source>
-        <translation>%1, eine unterbrochen</translation>
-    </message>
-    <message>
-        <source>%1, one broken off</source>
-        <translation>%1, eine abgebrochen</translation>
-    </message>
-    <message>
         <source>%1. %2: %3.</source>
         <translation>%1. %2: %3.</translation>
+    </message>
+    <message>
+        <source>Design row</source>
+        <translation>Planzeile</translation>
+    </message>
+    <message>
+        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so it need not be the order of enrolment.</source>
+        <translation>Die Zeile des Reihenfolgeplans (%1), von 1 an gezählt: Sie sagt, in welcher Reihenfolge diese Person die Bedingungen durchläuft. Wer aufgenommen wird, erhält die nächste freie Zeile, und die Zeile einer Person, die zurücktritt, wird wieder frei. Sie muss also nicht der Reihenfolge der Aufnahme entsprechen.</translation>
     </message>
 </context>
 <context>
@@ -12330,7 +12350,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>Participants (with two groups: in each)</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
     </message>
 </context>
 <context>
@@ -13843,12 +13863,8 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
 %2</translation>
     </message>
     <message>
-        <source>Your roles are changed. Log in again to see the screens that go with them.</source>
-        <translation>Ihre Rollen sind geändert. Melden Sie sich neu an, um die zugehörigen Ansichten zu sehen.</translation>
-    </message>
-    <message>
-        <source>Log out</source>
-        <translation>Abmelden</translation>
+        <source>Your roles are changed. The list on the left shows the screens that go with them.</source>
+        <translation>Ihre Rollen sind geändert. Die Liste links zeigt die zugehörigen Ansichten.</translation>
     </message>
 </context>
 <context>
@@ -14195,7 +14211,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     </message>
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
     </message>
     <message>
         <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
@@ -14327,6 +14343,10 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Enrol somebody …</source>
         <translation>Jemanden aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Go on with %1</source>
+        <translation>Weiter mit %1</translation>
     </message>
 </context>
 <context>
@@ -16581,10 +16601,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Thank you</source>
-        <translation>Danke</translation>
-    </message>
-    <message>
         <source>Stop this session?</source>
         <translation>Diese Sitzung anhalten?</translation>
     </message>
@@ -16738,10 +16754,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
             <numerusform>Freie Minute: Probieren Sie die Bedienung aus. Noch zählt nichts. Noch %n Sekunde.</numerusform>
             <numerusform>Freie Minute: Probieren Sie die Bedienung aus. Noch zählt nichts. Noch %n Sekunden.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Practice: this answer does not count. If it was a slip, take it back.</source>
-        <translation>Übung: Diese Antwort zählt nicht. War sie ein Versehen, nehmen Sie sie zurück.</translation>
     </message>
     <message>
         <source>I am ready (Enter)</source>
@@ -16955,14 +16967,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Sie halten %1. Ziehen Sie nach oben.</translation>
     </message>
     <message>
-        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
-        <translation>Sie halten das Objekt. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
-    </message>
-    <message>
-        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
-        <translation>Sie halten %1. Zum Loslassen senken Sie das Instrument deutlich unter den Ring, dann heben Sie es.</translation>
-    </message>
-    <message>
         <source>Touch next: %1.</source>
         <translation>Berühren Sie als Nächstes: %1.</translation>
     </message>
@@ -17060,6 +17064,73 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Back to the participant&apos;s page (F2)</source>
         <translation>Zurück zur Seite der Versuchsperson (F2)</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is no longer connected. The participant&apos;s page is in this window now.</source>
+        <translation>Der Bildschirm der Versuchsperson ist nicht mehr angeschlossen. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
+    </message>
+    <message>
+        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
+        <translation>Die Sitzung ist unterbrochen. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
+    </message>
+    <message>
+        <source>The session is over. Enter your password to go on with the study.</source>
+        <translation>Die Sitzung ist beendet. Geben Sie Ihr Passwort ein, um mit der Studie fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The session was stopped</source>
+        <translation>Die Sitzung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>This part is not finished; your answers so far are kept. Please call the experimenter, who decides when it goes on.</source>
+        <translation>Dieser Teil ist nicht abgeschlossen; Ihre bisherigen Antworten sind gespeichert. Bitte rufen Sie die Versuchsleitung, die entscheidet, wann es weitergeht.</translation>
+    </message>
+    <message>
+        <source>This part is finished</source>
+        <translation>Dieser Teil ist abgeschlossen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Thank you. %n more part(s) follow. Please call the experimenter, who decides when the next one begins.</source>
+        <translation>
+            <numerusform>Vielen Dank. Es folgt noch %n Teil. Bitte rufen Sie die Versuchsleitung, die entscheidet, wann der nächste beginnt.</numerusform>
+            <numerusform>Vielen Dank. Es folgen noch %n Teile. Bitte rufen Sie die Versuchsleitung, die entscheidet, wann der nächste beginnt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All trials are finished</source>
+        <translation>Alle Durchgänge sind abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Thank you. Only some questions about the study follow. Please call the experimenter, who opens them.</source>
+        <translation>Vielen Dank. Es folgen nur noch einige Fragen zur Studie. Bitte rufen Sie die Versuchsleitung, die sie öffnet.</translation>
+    </message>
+    <message>
+        <source>Everything is finished</source>
+        <translation>Alles ist abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Thank you. Nothing more is left for you to do in this study. Please call the experimenter.</source>
+        <translation>Vielen Dank. In dieser Studie ist für Sie nichts mehr zu tun. Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>Practice: this answer does not count. Press Next to go on, or take it back if it was a slip.</source>
+        <translation>Übung: Diese Antwort zählt nicht. Drücken Sie „Weiter“, oder nehmen Sie sie zurück, wenn sie ein Versehen war.</translation>
+    </message>
+    <message>
+        <source>You hold the object.</source>
+        <translation>Sie halten das Objekt.</translation>
+    </message>
+    <message>
+        <source>You hold %1.</source>
+        <translation>Sie halten %1.</translation>
+    </message>
+    <message>
+        <source>Pull less hard.</source>
+        <translation>Ziehen Sie weniger stark.</translation>
+    </message>
+    <message>
+        <source>Press less hard.</source>
+        <translation>Drücken Sie weniger stark.</translation>
     </message>
 </context>
 <context>

@@ -2839,6 +2839,18 @@ Details: %2</source>
         <source>Nothing is left to do: this participant has withdrawn. If somebody else is to take their place, enrol that person.</source>
         <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων έχει αποσυρθεί. Αν θα πάρει κάποιος άλλος τη θέση του, εγγράψτε τον.</translation>
     </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 από %2 έτοιμες</translation>
+    </message>
+    <message>
+        <source>%1, one interrupted</source>
+        <translation>%1, μία διακόπηκε</translation>
+    </message>
+    <message>
+        <source>%1, one broken off</source>
+        <translation>%1, μία σταμάτησε</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -3033,6 +3045,14 @@ Details: %2</source>
             <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
             <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Τραβάτε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία τραβάτε με πάνω από %1 ή κινείστε κατά μέσο όρο ταχύτερα από %2 ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Πιέζετε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία πιέζετε με πάνω από %1 ή κινείστε κατά μέσο όρο ταχύτερα από %2 ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
     </message>
 </context>
 <context>
@@ -4018,7 +4038,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Share of trials with the largest difference, which show whether a participant pays attention.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
     </message>
     <message>
         <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
@@ -4954,14 +4974,6 @@ Do you want to replace it?</source>
         <source>During the trials you hear a steady noise.</source>
         <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
     </message>
-    <message>
-        <source>Pull gently and move calmly: a trial in which you pull with more than %1, or move faster than %2 per second on average, is repeated.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -5460,16 +5472,8 @@ Details: %2</source>
         <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
     </message>
     <message>
-        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring, then raise it.</source>
-        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε την αρκετά κάτω από τον δακτύλιο και μετά σηκώστε την.</translation>
-    </message>
-    <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Πατήστε + και − μέχρι να σας μοιάζουν και τα δύο ίδια, και μετά Enter.</translation>
-    </message>
-    <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up. To let go, lower the tool well below the ring, then raise it.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για να τραβήξετε, κυλήστε τον μακριά σας ή κρατήστε το Page Up. Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
@@ -5482,6 +5486,26 @@ Details: %2</source>
     <message>
         <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
         <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν μετράει ως απάντηση.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up.</source>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για να τραβήξετε, κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle.</source>
+        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>To let go, set the object down and press it lightly onto the table, then raise the tool.</source>
+        <translation>Για να αφήσετε το αντικείμενο, ακουμπήστε το και πιέστε το ελαφρά στο τραπέζι, και μετά σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool below the dashed line, then raise it.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο κάτω από τη διακεκομμένη γραμμή και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool %1 mm below the ring, then raise it.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο %1 mm κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
     </message>
 </context>
 <context>
@@ -6766,6 +6790,10 @@ Details: %2</source>
         <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
         <translation>Οι απαντήσεις είναι πολύ λίγες για να διακριθούν από τυχαίες: μόνο περισσότερες δοκιμές μπορούν να δείξουν αν έγινε αντιληπτή η διαφορά.</translation>
     </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Διακόπηκε</translation>
+    </message>
 </context>
 <context>
     <name>StudyTitles</name>
@@ -7095,6 +7123,10 @@ Details: %2</source>
     <message>
         <source>Change object 2 until both seem the same.</source>
         <translation>Αλλάξτε το αντικείμενο 2 ώσπου τα δύο να σας μοιάζουν ίδια.</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Διακόπηκε</translation>
     </message>
 </context>
 <context>
@@ -9235,10 +9267,6 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Για τον πειραματιστή</translation>
     </message>
     <message>
-        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
-        <translation>Η συνεδρία περιμένει. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
-    </message>
-    <message>
         <source>Password of %1</source>
         <translation>Κωδικός πρόσβασης: %1</translation>
     </message>
@@ -11125,10 +11153,6 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Συνθήκες</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Σειρά</translation>
-    </message>
-    <message>
         <source>Enrolled</source>
         <translation>Εγγραφή</translation>
     </message>
@@ -11155,10 +11179,6 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <message>
         <source>Who is who …</source>
         <translation>Ποιος είναι ποιος …</translation>
-    </message>
-    <message>
-        <source>%1 of %2 done</source>
-        <translation>%1 από %2 έτοιμες</translation>
     </message>
     <message>
         <source>%1 (simulated)</source>
@@ -11197,16 +11217,16 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Δεν έχει εγγραφεί ακόμη κανείς.</translation>
     </message>
     <message>
-        <source>%1, one interrupted</source>
-        <translation>%1, μία διακόπηκε</translation>
-    </message>
-    <message>
-        <source>%1, one broken off</source>
-        <translation>%1, μία σταμάτησε</translation>
-    </message>
-    <message>
         <source>%1. %2: %3.</source>
         <translation>%1. %2: %3.</translation>
+    </message>
+    <message>
+        <source>Design row</source>
+        <translation>Γραμμή σχεδίου</translation>
+    </message>
+    <message>
+        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so it need not be the order of enrolment.</source>
+        <translation>Η γραμμή του σχεδίου σειράς (%1), με αρίθμηση από το 1: δείχνει με ποια σειρά κάνει τις συνθήκες αυτός ο συμμετέχων. Όποιος εγγράφεται παίρνει την επόμενη ελεύθερη γραμμή, και η γραμμή όποιου αποσύρεται ελευθερώνεται ξανά, οπότε δεν είναι απαραίτητα η σειρά εγγραφής.</translation>
     </message>
 </context>
 <context>
@@ -12330,7 +12350,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>Participants (with two groups: in each)</source>
-        <translation type="unfinished"></translation>
+        <translation>Συμμετέχοντες (με δύο ομάδες: ανά ομάδα)</translation>
     </message>
 </context>
 <context>
@@ -13843,12 +13863,8 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
 %2</translation>
     </message>
     <message>
-        <source>Your roles are changed. Log in again to see the screens that go with them.</source>
-        <translation>Οι ρόλοι σας άλλαξαν. Συνδεθείτε ξανά για να δείτε τις αντίστοιχες οθόνες.</translation>
-    </message>
-    <message>
-        <source>Log out</source>
-        <translation>Αποσύνδεση</translation>
+        <source>Your roles are changed. The list on the left shows the screens that go with them.</source>
+        <translation>Οι ρόλοι σας άλλαξαν. Η λίστα αριστερά δείχνει τις αντίστοιχες οθόνες.</translation>
     </message>
 </context>
 <context>
@@ -14195,7 +14211,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     </message>
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
     </message>
     <message>
         <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
@@ -14327,6 +14343,10 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>Enrol somebody …</source>
         <translation>Εγγραφή συμμετέχοντα …</translation>
+    </message>
+    <message>
+        <source>Go on with %1</source>
+        <translation>Συνέχεια με %1</translation>
     </message>
 </context>
 <context>
@@ -16581,10 +16601,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Σε παύση</translation>
     </message>
     <message>
-        <source>Thank you</source>
-        <translation>Ευχαριστούμε</translation>
-    </message>
-    <message>
         <source>Stop this session?</source>
         <translation>Διακοπή της συνεδρίας;</translation>
     </message>
@@ -16738,10 +16754,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
             <numerusform>Ελεύθερο λεπτό: δοκιμάστε τον χειρισμό. Τίποτα δεν μετράει ακόμη. Απομένει %n δευτερόλεπτο.</numerusform>
             <numerusform>Ελεύθερο λεπτό: δοκιμάστε τον χειρισμό. Τίποτα δεν μετράει ακόμη. Απομένουν %n δευτερόλεπτα.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Practice: this answer does not count. If it was a slip, take it back.</source>
-        <translation>Εξάσκηση: αυτή η απάντηση δεν μετράει. Αν έγινε κατά λάθος, αναιρέστε την.</translation>
     </message>
     <message>
         <source>I am ready (Enter)</source>
@@ -16955,14 +16967,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Κρατάτε το %1. Τραβήξτε το προς τα πάνω.</translation>
     </message>
     <message>
-        <source>You hold the object. To let go, lower the tool well below the ring, then raise it.</source>
-        <translation>Κρατάτε το αντικείμενο. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
-    </message>
-    <message>
-        <source>You hold %1. To let go, lower the tool well below its ring, then raise it.</source>
-        <translation>Κρατάτε το %1. Για να το αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιό του και μετά σηκώστε το.</translation>
-    </message>
-    <message>
         <source>Touch next: %1.</source>
         <translation>Αγγίξτε μετά: %1.</translation>
     </message>
@@ -17060,6 +17064,73 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Back to the participant&apos;s page (F2)</source>
         <translation>Πίσω στη σελίδα του συμμετέχοντα (F2)</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is no longer connected. The participant&apos;s page is in this window now.</source>
+        <translation>Η οθόνη του συμμετέχοντος δεν είναι πλέον συνδεδεμένη. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
+    </message>
+    <message>
+        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
+        <translation>Η συνεδρία περιμένει. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>The session is over. Enter your password to go on with the study.</source>
+        <translation>Η συνεδρία τελείωσε. Εισαγάγετε τον κωδικό πρόσβασής σας για να συνεχίσετε τη μελέτη.</translation>
+    </message>
+    <message>
+        <source>The session was stopped</source>
+        <translation>Η συνεδρία διακόπηκε</translation>
+    </message>
+    <message>
+        <source>This part is not finished; your answers so far are kept. Please call the experimenter, who decides when it goes on.</source>
+        <translation>Αυτό το μέρος δεν ολοκληρώθηκε· οι απαντήσεις σας ως τώρα έχουν διατηρηθεί. Παρακαλούμε καλέστε τον πειραματιστή, που αποφασίζει πότε θα συνεχιστεί.</translation>
+    </message>
+    <message>
+        <source>This part is finished</source>
+        <translation>Αυτό το μέρος ολοκληρώθηκε</translation>
+    </message>
+    <message numerus="yes">
+        <source>Thank you. %n more part(s) follow. Please call the experimenter, who decides when the next one begins.</source>
+        <translation>
+            <numerusform>Ευχαριστούμε. Ακολουθεί ακόμη %n μέρος. Παρακαλούμε καλέστε τον πειραματιστή, που αποφασίζει πότε αρχίζει το επόμενο.</numerusform>
+            <numerusform>Ευχαριστούμε. Ακολουθούν ακόμη %n μέρη. Παρακαλούμε καλέστε τον πειραματιστή, που αποφασίζει πότε αρχίζει το επόμενο.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All trials are finished</source>
+        <translation>Όλες οι δοκιμές ολοκληρώθηκαν</translation>
+    </message>
+    <message>
+        <source>Thank you. Only some questions about the study follow. Please call the experimenter, who opens them.</source>
+        <translation>Ευχαριστούμε. Ακολουθούν μόνο μερικές ερωτήσεις για τη μελέτη. Παρακαλούμε καλέστε τον πειραματιστή, που θα τις ανοίξει.</translation>
+    </message>
+    <message>
+        <source>Everything is finished</source>
+        <translation>Όλα ολοκληρώθηκαν</translation>
+    </message>
+    <message>
+        <source>Thank you. Nothing more is left for you to do in this study. Please call the experimenter.</source>
+        <translation>Ευχαριστούμε. Δεν απομένει τίποτε άλλο να κάνετε σε αυτή τη μελέτη. Παρακαλούμε καλέστε τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>Practice: this answer does not count. Press Next to go on, or take it back if it was a slip.</source>
+        <translation>Εξάσκηση: αυτή η απάντηση δεν μετράει. Πατήστε «Επόμενο» για να συνεχίσετε, ή αναιρέστε την αν έγινε κατά λάθος.</translation>
+    </message>
+    <message>
+        <source>You hold the object.</source>
+        <translation>Κρατάτε το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>You hold %1.</source>
+        <translation>Κρατάτε το %1.</translation>
+    </message>
+    <message>
+        <source>Pull less hard.</source>
+        <translation>Τραβήξτε λιγότερο δυνατά.</translation>
+    </message>
+    <message>
+        <source>Press less hard.</source>
+        <translation>Πιέστε λιγότερο δυνατά.</translation>
     </message>
 </context>
 <context>

@@ -874,6 +874,13 @@
             <numerusform>First come %n practice trials, which do not count.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Thank you. %n more part(s) follow. Please call the experimenter, who decides when the next one begins.</source>
+        <translation>
+            <numerusform>Thank you. %n more part follows. Please call the experimenter, who decides when it begins.</numerusform>
+            <numerusform>Thank you. %n more parts follow. Please call the experimenter, who decides when the next one begins.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>
