@@ -812,10 +812,10 @@ void TestStudyDesign::instructionsFollowTheSettings() {
     const auto read = [&] { return QString::fromStdString(design().instructions.at("en")); };
     QVERIFY(read().startsWith(QStringLiteral("Hold the grasper lightly.")));
     QCOMPARE(text("design.instructions.shown"), read());
-    QVERIFY2(text("design.instructions.limits").contains(QStringLiteral("more than 4 N")),
+    QVERIFY2(text("design.instructions.limits").contains(QStringLiteral("more than 4\u00a0N")),
              qPrintable(text("design.instructions.limits"))); // read before each part, and not frozen
     type("fidelity.peak_force", QStringLiteral("3"));
-    QVERIFY2(text("design.instructions.limits").contains(QStringLiteral("more than 3 N")),
+    QVERIFY2(text("design.instructions.limits").contains(QStringLiteral("more than 3\u00a0N")),
              qPrintable(text("design.instructions.limits")));
     type("fidelity.peak_force", QStringLiteral("4"));
     QVERIFY(read().contains(QStringLiteral("You have 30 seconds to explore")) &&
