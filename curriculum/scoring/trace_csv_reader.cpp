@@ -130,10 +130,15 @@ private:
         TraceColumns& present = m_out.columns;
         for (std::size_t i = 0; i < traceColumns().size(); ++i) {
             const TraceColumn& column = traceColumns()[i];
-            if (seen[i] && column.owner != nullptr)
+            if (seen[i] && column.owner != nullptr) {
+                if (present.own != nullptr && present.own != column.owner)
+                    return refuse(1, std::string(column.name),
+                                  "no column beside those of " + std::string(present.own->of) +
+                                      " that describes another exercise");
                 present.own = column.owner;
-            else if (seen[i] && column.group != nullptr)
+            } else if (seen[i] && column.group != nullptr) {
                 present.*column.group = true;
+            }
         }
         for (std::size_t i = 0; i < traceColumns().size(); ++i)
             if (const TraceColumn& column = traceColumns()[i]; !seen[i] && column.presentIn(present))
