@@ -211,7 +211,7 @@
     </message>
     <message>
         <source>The object came off the tool</source>
-        <translation>Das Objekt hat sich vom Werkzeug gelöst</translation>
+        <translation>Das Objekt hat sich vom Instrument gelöst</translation>
     </message>
 </context>
 <context>
@@ -1153,7 +1153,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The device of this station renders force.</source>
-        <translation>Das Gerät dieser Station gibt Kraft aus.</translation>
+        <translation>Das Gerät dieses Arbeitsplatzes gibt Kraft aus.</translation>
     </message>
 </context>
 <context>
@@ -3639,7 +3639,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The object came off the tool at %1</source>
-        <translation>Das Objekt löste sich bei %1 vom Werkzeug</translation>
+        <translation>Das Objekt löste sich bei %1 vom Instrument</translation>
     </message>
 </context>
 <context>
@@ -5519,7 +5519,7 @@ Einzelheiten: %2</translation>
     <name>StudyDevice</name>
     <message>
         <source>The device of this station renders no force: objects are shown, not felt. Groups and comparisons leave such runs out, unless you include them under Data.</source>
-        <translation>Das Gerät dieser Station gibt keine Kraft aus: Objekte werden gezeigt, nicht gefühlt. Gruppen und Vergleiche lassen solche Läufe aus, außer Sie nehmen sie unter „Daten“ auf.</translation>
+        <translation>Das Gerät dieses Arbeitsplatzes gibt keine Kraft aus: Objekte werden gezeigt, nicht gefühlt. Gruppen und Vergleiche lassen solche Läufe aus, außer Sie nehmen sie unter „Daten“ auf.</translation>
     </message>
 </context>
 <context>
@@ -12153,7 +12153,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>A cross in the scene shows where tissue gave way, or where an object of a study came off the tool.</source>
-        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben oder sich ein Objekt einer Studie vom Werkzeug gelöst hat.</translation>
+        <translation>Ein Kreuz in der Szene zeigt, wo Gewebe nachgegeben oder sich ein Objekt einer Studie vom Instrument gelöst hat.</translation>
     </message>
 </context>
 <context>

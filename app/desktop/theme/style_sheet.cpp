@@ -118,7 +118,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTabBar::tab { background: transparent; color: @muted; padding: #8# #14#; border-bottom: #3# solid transparent; }
 QTabBar::tab:selected { color: @text; border-bottom: #3# solid @accent; font-weight: 600; }
 QTabBar::tab:focus { color: @focus; }
-QTabBar::scroller { width: #28#; }
+QTabBar::scroller { width: #56#; } /* of both buttons: each has half of it */
 QTabWidget::pane { border: none; border-top: 1px solid @border; }
 QToolTip { background: @raised; color: @text; border: 1px solid @borderStrong; padding: #4#; }
 QMenu { background: @surface; color: @text; border: 1px solid @borderStrong; padding: #4#; }

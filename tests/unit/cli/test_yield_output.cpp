@@ -43,7 +43,7 @@ private slots:
                                            "tip at x 0.0, y 0.0, z -0.1 mm")})); // no negative nothing
         QCOMPARE(cli::yieldsText(cli::yieldsOf({}), "palpation"), QString());
         const QString lifted =
-            cli::yieldsText(QJsonArray{yields[1]}, "comparison"); // no tissue: an object of a study
+            cli::yieldsText(QJsonArray{yields[1]}, "comparison").trimmed(); // no tissue: an object of a study
         QVERIFY2(
             lifted.startsWith(QStringLiteral("object came off the tool: trial 2, tool 3, at 20.000 s, ")),
             qPrintable(lifted));
