@@ -323,10 +323,10 @@ private:
             widget->resize(size);
             tests::DrawingOutline drawing(size);
             widget->render(&drawing, {}, {}, QWidget::RenderFlags());
-            lines << QStringLiteral("drawn %1#%2 %3x%4: ")
+            lines << QStringLiteral("drawn %1#%2 %3x%4: ") // as large as the layout made it for what it says
                              .arg(kind.section(QStringLiteral("::"), -1), widget->objectName())
-                             .arg(size.width())
-                             .arg(size.height()) +
+                             .arg(widget->width())
+                             .arg(widget->height()) +
                          drawing.said();
         }
         return lines;
