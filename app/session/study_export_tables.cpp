@@ -199,6 +199,7 @@ ExportTable runsTable(const StudyExportData& data) {
          "all of them; n/a, as the counts that follow, while blinded where conditions differ"},
         {"practice", "1", "of these, practice"},
         {"spoiled", "1", "of these, spoiled and presented again"},
+        {"interrupted", "1", "of these, interrupted because the run was stopped"},
         {"scored", "1", "of these, scored"},
         {"paused_s", "s",
          "pauses within presentations, in which no clock ran; n/a where it was not measured"},
@@ -229,7 +230,8 @@ ExportTable runsTable(const StudyExportData& data) {
                     data.blinded ? kNotAvailable : text(run.run.procedures),
                     data.blinded ? kNotAvailable : QString::number(run.run.seed), stateWord(run.run.state),
                     count([](const auto&) { return true; }), count([](const auto& t) { return t.practice; }),
-                    count([](const auto& t) { return !t.practice && !t.spoiled.empty(); }),
+                    count([](const auto& t) { return database::isRepeated(t); }),
+                    count([](const auto& t) { return !t.practice && t.spoiled == database::kInterrupted; }),
                     data.sealed ? kNotAvailable : QString::number(scoredTrialsOf(run.trials).size()),
                     exportNumber(pausedIn(run.trials)), eachOf(run.trials, &TrialCircumstances::language),
                     eachOf(run.trials, &TrialCircumstances::masking)} +

@@ -52,7 +52,11 @@ QString openValue(const RolledPerson& person) {
                                  "difference presented."));
         break;
     default:
-        said << Words::tr("%1: the answers do not tell how small or how large the threshold is.");
+        said << (person.openBelow
+                     ? Words::tr("%1: the answers do not rule out a threshold far below the smallest "
+                                 "difference presented.")
+                     : Words::tr("%1: the answers do not rule out a threshold far below the smallest "
+                                 "difference presented, nor one far above the largest."));
         break;
     }
     const bool larger = person.presence == Presence::guessing;
@@ -60,18 +64,24 @@ QString openValue(const RolledPerson& person) {
     case Remedy::none:
         break;
     case Remedy::moreTrials:
-        said << Words::tr("The answers are too few to measure it: copy the study and plan more trials.");
+        said << Words::tr(
+            "The answers are too few to measure the threshold: copy the study and plan more trials.");
         break;
     case Remedy::unusedDifferences:
         said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "
-                                    "measure it, copy the study and plan more trials or a larger first "
-                                    "difference.")
+                                    "measure the threshold, copy the study and plan more trials or a larger "
+                                    "first difference.")
                         : Words::tr("The study's table has smaller differences, which were not presented. To "
-                                    "measure it, copy the study and plan more trials."));
+                                    "measure the threshold, copy the study and plan more trials."));
         break;
     case Remedy::otherDifferences:
-        said << (larger ? Words::tr("To measure it, copy the study and plan larger differences.")
-                        : Words::tr("To measure it, copy the study and plan smaller differences."));
+        said << (larger
+                     ? Words::tr("To measure the threshold, copy the study and plan larger differences.")
+                     : Words::tr("To measure the threshold, copy the study and plan smaller differences."));
+        break;
+    case Remedy::moreDifferences:
+        said << Words::tr("Only one difference was presented. To measure the threshold, copy the study and "
+                          "plan several.");
         break;
     }
     return said.join(QLatin1Char(' '));
@@ -164,9 +174,9 @@ QString whyNot(Presence presence) {
     case Presence::allRight:
         return Words::tr("every answer was right");
     case Presence::guessing:
-        return Words::tr("a much larger threshold is not ruled out");
+        return Words::tr("the threshold may be far above the largest difference");
     case Presence::unbounded:
-        return Words::tr("the answers do not tell how small or how large it is");
+        return Words::tr("the answers leave the threshold open");
     case Presence::noValue:
         return Words::tr("the answers give no value");
     case Presence::shown:

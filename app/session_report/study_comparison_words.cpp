@@ -16,12 +16,17 @@ QString pWords(double p, const QLocale& locale) {
     return p < 0.001 ? QStringLiteral("< ") + locale.toString(0.001, 'f', 3) : locale.toString(p, 'f', 3);
 }
 
-QString rangeWords(const psychophysics::Interval& interval, const QLocale& locale) {
-    if (!std::isfinite(interval.low) || !std::isfinite(interval.high))
+bool holdsOne(const psychophysics::Interval& ratio) {
+    return ratio.low <= 1.0 && ratio.high >= 1.0;
+}
+
+/// The interval of a ratio. A very wide one that excludes 1 still says which condition has the larger value.
+QString rangeWords(const psychophysics::Interval& ratio, const QLocale& locale) {
+    if (!std::isfinite(ratio.low) || !std::isfinite(ratio.high))
         return QStringLiteral("–");
-    return intervalOrUnbounded(
-        interval, QStringLiteral("%1 … %2").arg(study_report_words::number(interval.low, locale),
-                                                study_report_words::number(interval.high, locale)));
+    const QString written = QStringLiteral("%1 … %2").arg(study_report_words::number(ratio.low, locale),
+                                                          study_report_words::number(ratio.high, locale));
+    return holdsOne(ratio) ? intervalOrUnbounded(ratio, written) : written;
 }
 
 /// The p that decides: the one adjusted for all comparisons, where it was adjusted.
@@ -37,19 +42,18 @@ QString decidingWords(const psychophysics::ConditionComparison& weber, const QLo
     return name + (words.startsWith(QLatin1Char('<')) ? QStringLiteral(" ") : QStringLiteral(" = ")) + words;
 }
 
-/// The ratio that the comparison could not have shown, with the scatter that it found.
-QString couldNotBeShown(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
-    // The interval is symmetric in the logarithm: a ratio is told from 1 where it exceeds half the width.
-    const double smallest = std::sqrt(weber.ratio95.high / weber.ratio95.low);
+/// That no difference was shown does not show that there is none: what remains possible.
+QString whatRemains(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
     const QString people =
         weber.paired
             ? Words::tr("%1 participants in both conditions").arg(locale.toString(weber.participants))
             : Words::tr("two groups of %1 and %2 participants")
                   .arg(locale.toString(weber.first), locale.toString(weber.second));
     if (psychophysics::isUnbounded(weber.ratio95))
-        return Words::tr("With %1, even a ratio of 10 could not have been shown.").arg(people);
-    return Words::tr("With %1, a ratio below %2 could not have been shown.")
-        .arg(people, study_report_words::number(smallest, locale));
+        return Words::tr("With %1, even a tenfold difference remains possible.").arg(people);
+    return Words::tr("With %1, every ratio in this interval remains possible: it is not shown that the two "
+                     "are alike.")
+        .arg(people);
 }
 
 QString whoIsCompared(const session::ComparedConditions& compared, const QString& first,
@@ -58,7 +62,8 @@ QString whoIsCompared(const session::ComparedConditions& compared, const QString
         return {};
     return compared.weber.paired ? Words::tr("Compared in both conditions: %1.")
                                        .arg(study_report_words::codes(compared.firstPeople))
-                                 : Words::tr("Compared in “%1” alone: %2; in “%3” alone: %4.")
+                                 : Words::tr("Two groups are compared: %2, with a value only in “%1”, and "
+                                             "%4, with a value only in “%3”.")
                                        .arg(first, study_report_words::codes(compared.firstPeople), second,
                                             study_report_words::codes(compared.secondPeople));
 }
@@ -68,21 +73,24 @@ QString verdictAlone(const psychophysics::ConditionComparison& weber, const QStr
     constexpr double kShown = 0.05;
     if (!std::isfinite(weber.pValue))
         return Words::tr(
-                   "Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval "
-                   "and no p.")
+                   "It is not known whether the Weber fractions of “%1” and “%2” differ: these values give "
+                   "no interval and no p.")
             .arg(first, second);
     if (decidingP(weber) > kShown) {
         const QString verdict =
             Words::tr("No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).")
                 .arg(first, second, study_report_words::number(weber.ratio, locale),
                      rangeWords(weber.ratio95, locale), decidingWords(weber, locale));
-        const bool holdsOne = weber.ratio95.low <= 1.0 && weber.ratio95.high >= 1.0;
-        return holdsOne ? verdict + QLatin1Char(' ') + couldNotBeShown(weber, locale) : verdict;
+        return verdict + QLatin1Char(' ') +
+               (holdsOne(weber.ratio95)
+                    ? whatRemains(weber, locale)
+                    : Words::tr("The interval is that of this comparison alone: once p is adjusted for all "
+                                "comparisons, the difference is not significant."));
     }
     const bool larger = weber.ratio >= 1.0; // people read "1.4 times" more easily than "0.71 times"
     const psychophysics::Interval interval =
         larger ? weber.ratio95 : psychophysics::Interval{1.0 / weber.ratio95.high, 1.0 / weber.ratio95.low};
-    return Words::tr("The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).")
+    return Words::tr("The Weber fraction of “%1” is %2 times that of “%3” (95 % interval: %4; %5).")
         .arg(larger ? second : first,
              study_report_words::number(larger ? weber.ratio : 1.0 / weber.ratio, locale),
              larger ? first : second, rangeWords(interval, locale), decidingWords(weber, locale));
@@ -93,6 +101,12 @@ QString verdictAlone(const psychophysics::ConditionComparison& weber, const QStr
 QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written) {
     return psychophysics::isUnbounded(interval) ? Words::tr("unbounded in practice: too few participants")
                                                 : written;
+}
+
+QString predictionOrUnbounded(const psychophysics::Interval& prediction, const QString& written) {
+    return psychophysics::isUnbounded(prediction)
+               ? Words::tr("unbounded in practice: participants are too few, or differ too much")
+               : written;
 }
 
 QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,

@@ -15,12 +15,15 @@ std::vector<QString> comparisonHeadings(bool thresholds);
 /// `first`, `second`: the names of the two conditions. Returns as many cells as there are headings.
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first,
                                    const QString& second, bool thresholds, const QLocale& locale);
-/// What the comparison shows, in a sentence: by how much the thresholds differ, or that no difference is
-/// shown and which one could have been; then whose values are compared, by code.
+/// What the comparison shows, in a sentence: by how much the Weber fractions differ, or that no difference is
+/// shown and what remains possible; then whose values are compared, by code.
 QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,
                           const QString& second, const QLocale& locale);
-/// Returns `written`, or says that an interval is unbounded in practice (psychophysics::isUnbounded).
+/// Returns `written`, or says that the confidence interval of a group is unbounded in practice
+/// (psychophysics::isUnbounded).
 QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written);
+/// The same of the interval for a further participant, which does not narrow as more take part.
+QString predictionOrUnbounded(const psychophysics::Interval& prediction, const QString& written);
 /// Explains the columns.
 QString comparisonNote(bool thresholds);
 /// The text shown while a study is blinded.

@@ -70,7 +70,7 @@ void StudyReportBlocks::addGroup(std::size_t at) {
                   intervalOrUnbounded(group.weber95,
                                       words::intervalPercent(group.weber95.low, group.weber95.high, locale))},
                  {Words::tr("95 % prediction interval"),
-                  intervalOrUnbounded(
+                  predictionOrUnbounded(
                       group.prediction95,
                       words::intervalPercent(group.prediction95.low, group.prediction95.high, locale))}};
         if (!m_data.blind())

@@ -40,8 +40,8 @@ QString ofAnswers(const Warning& warning) {
         return Words::tr("The answers are no better than guessing: the threshold may be above the largest "
                          "difference presented.");
     case tooFewToTell:
-        return Words::tr("There are too few answers to tell them from guessing: only more trials can show "
-                         "whether the difference was perceived.");
+        return Words::tr("There are too few answers to say whether they are better than guessing. More "
+                         "trials would show it.");
     case lapses:
         return Words::tr(
             "More than a tenth of the answers look like guesses even where the difference was easy.");

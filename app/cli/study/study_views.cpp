@@ -192,10 +192,10 @@ QString powerText(const QString& condition, const QJsonObject& json) {
 QString withoutValueText(const QString& condition, const ConditionPlan& plan) {
     const QString said = QStringLiteral("%1: %2 of %3 simulated runs give no usable value")
                              .arg(condition)
-                             .arg(plan.withoutValue)
+                             .arg(plan.withoutValue.value_or(0))
                              .arg(plan.runs);
     return plan.trialsForValues > 0
-               ? said + QStringLiteral("; from about %1 trials on fewer than 1 in 20 do\n")
+               ? said + QStringLiteral("; with about %1 trials or more, fewer than 1 in 20 do\n")
                             .arg(plan.trialsForValues)
                : said + QLatin1Char('\n');
 }
@@ -218,7 +218,7 @@ QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
         {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
         {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))},
         {"without_estimate", plan.withoutEstimate},
-        {"without_value", plan.withoutValue},
+        {"without_value", plan.withoutValue ? QJsonValue(*plan.withoutValue) : QJsonValue()},
         {"trials_for_values", numberOrNull(plan.trialsForValues > 0 ? plan.trialsForValues : std::nan(""))},
         {"bias_log10_error", numberOrNull(plan.biasError)},
         {"sd_log10_error", numberOrNull(plan.sdError)},
@@ -365,7 +365,7 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
                               shortNumber(apex["against_percent"].toDouble()),
                               shortNumber(100.0 * apex["power"].toDouble()));
         }
-        if (oftenWithoutValue(plan) && condition.stimulus.attribute != Attribute::apex)
+        if (oftenWithoutValue(plan))
             words += withoutValueText(text(condition.id), plan);
         if (*powerInputs && condition.stimulus.attribute != Attribute::apex) {
             json.insert("power", powerJson(**powerInputs, plan));

@@ -273,7 +273,8 @@ std::optional<FreezeCheck> valuesCheck(const FreezeFacts& facts, const QLocale& 
                      CheckWords::tr("Simulated observers are still running through the study …"));
     const ConditionPlan* worst = nullptr;
     for (const ConditionPlan& plan : *facts.plans)
-        if (plan.runs > 0 && (worst == nullptr || plan.withoutValue > worst->withoutValue))
+        if (plan.runs > 0 && plan.withoutValue &&
+            (worst == nullptr || plan.withoutValue > worst->withoutValue))
             worst = &plan;
     if (worst == nullptr)
         return std::nullopt;

@@ -13,11 +13,11 @@ struct PlanWords {
 
 QString runsWithoutValueWords(const psychophysics::ConditionPlan& plan, const QLocale& locale) {
     const QString runs = locale.toString(plan.runs);
-    if (plan.withoutValue == 0)
+    if (plan.withoutValue.value_or(0) == 0)
         return PlanWords::tr("All of %1 simulated runs gave a usable value.").arg(runs);
     const QString said =
         PlanWords::tr("%1 of %2 simulated runs gave no usable value; groups leave such runs out.")
-            .arg(locale.toString(plan.withoutValue), runs);
+            .arg(locale.toString(*plan.withoutValue), runs);
     return plan.trialsForValues == 0
                ? said
                : said + QLatin1Char(' ') +

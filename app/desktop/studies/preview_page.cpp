@@ -343,7 +343,7 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     box.layout->addWidget(
         kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."),
                    TextStyle::small, "muted"));
-    if (plan.runs > 0) {
+    if (plan.runs > 0 && plan.withoutValue) {
         const QString words = runsWithoutValueWords(plan, locale);
         QWidget* values = psychophysics::oftenWithoutValue(plan)
                               ? static_cast<QWidget*>(kit::notice(theme, "warning", words))

@@ -102,11 +102,9 @@ QStringList GroupPage::weberWords(const psychophysics::GroupEstimate& group) con
     QStringList words{tr("Weber fraction (random effects)")};
     if (!interval.isEmpty())
         words << tr("95 %: %1").arg(session_report::intervalOrUnbounded(group.weber95, interval));
-    // With three people it may extend from zero to 5,000 %.
-    if (psychophysics::isUnbounded(group.prediction95))
-        words << tr("too few participants for a prediction");
-    else if (!next.isEmpty())
-        words << tr("prediction for a new participant: %1").arg(next);
+    if (!next.isEmpty())
+        words << tr("prediction for a new participant: %1")
+                     .arg(session_report::predictionOrUnbounded(group.prediction95, next));
     return words;
 }
 

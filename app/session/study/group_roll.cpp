@@ -70,8 +70,12 @@ Remedy remedyFor(const psychophysics::RunEstimate& estimate, Presence presence,
     const bool low =
         presence == Presence::allRight || hasWarning(estimate.warnings, WarningKind::priorEdgeLow);
     const bool high = hasWarning(estimate.warnings, WarningKind::priorEdgeHigh);
-    if (hasWarning(estimate.warnings, WarningKind::fewTrials) || low == high || differences.empty() ||
-        estimate.points.empty())
+    const auto warned = [&](WarningKind kind) { return hasWarning(estimate.warnings, kind); };
+    if (warned(WarningKind::fewTrials) || warned(WarningKind::tooFewToTell))
+        return Remedy::moreTrials;
+    if (low == high)
+        return warned(WarningKind::oneLevel) ? Remedy::moreDifferences : Remedy::moreTrials;
+    if (differences.empty() || estimate.points.empty())
         return Remedy::moreTrials;
     constexpr double kSame = 1e-9; // differences are presented as they stand in the table
     const auto size = [](const psychophysics::CurvePoint& point) { return std::abs(point.difference); };
@@ -133,6 +137,8 @@ GroupRoll groupRoll(const std::vector<database::Participant>& participants,
             person.presence = run.presence;
             person.remedy = run.remedy;
             person.guesses = hasWarning(run.estimate.warnings, WarningKind::chance);
+            person.openBelow = run.presence == Presence::unbounded &&
+                               !hasWarning(run.estimate.warnings, WarningKind::priorEdgeHigh);
         }
         if (any || !participant.simulated)
             roll.people.push_back(std::move(person));

@@ -22,7 +22,8 @@ enum class Presence : std::uint8_t {
     unfinished, ///< no value: the run was broken off, and its few answers are not conclusive
     allRight,   ///< no value: every answer was right, so the threshold could be arbitrarily small
     guessing,   ///< no value: a threshold far above the presented differences is not ruled out
-    unbounded,  ///< no value for another reason: it would come from the prior
+    unbounded,  ///< no value for another reason: the prior would decide it. A threshold far below the
+                ///< presented differences is not ruled out, and often not one far above them either
     noValue,    ///< the answers give no value
     shown,      ///< left out: force was shown, not felt
     simulated,  ///< left out: the group consists of people
@@ -38,10 +39,12 @@ enum class Remedy : std::uint8_t {
     moreTrials,        ///< there are fewer answers than a value needs
     unusedDifferences, ///< the table has differences on that side which were never presented
     otherDifferences,  ///< the table ends there: other differences are needed
+    moreDifferences,   ///< one difference alone was presented, and it leaves both sides open
 };
 
 /// The remedy for a run of a condition with this table of differences (ascending). The number of answers is
-/// looked at first, then what the table offers beyond the differences presented.
+/// looked at first (fewer than kFewTrials, or too few to tell them from guessing), then what the table offers
+/// beyond the differences presented.
 Remedy remedyFor(const psychophysics::RunEstimate& estimate, Presence presence,
                  const std::vector<double>& differences);
 
@@ -55,6 +58,7 @@ struct RolledPerson {
     bool open = false;                      ///< a run is not finished
     Remedy remedy = Remedy::none;           ///< of the run that gives `presence`
     bool guesses = false;                   ///< its answers are no better than guessing
+    bool openBelow = false;                 ///< unbounded: only a threshold far below is not ruled out
 };
 
 /// Everybody who could be included in a condition's group value.

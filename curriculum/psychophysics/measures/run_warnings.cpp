@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace chiron::psychophysics {
 
@@ -39,15 +41,42 @@ double chanceOf(Task task) {
     return 1.0 / (ranksThree(task) ? kStrictRankings : psychophysics::answers(task));
 }
 
+/// The points by size, smallest first: forced choices have the same answers to differences of either sign.
+std::vector<CurvePoint> bySize(const std::vector<CurvePoint>& points) {
+    std::map<double, CurvePoint> sizes;
+    for (const CurvePoint& point : points) {
+        CurvePoint& size = sizes[std::abs(point.difference)];
+        size.difference = std::abs(point.difference);
+        size.right += point.right;
+        size.of += point.of;
+    }
+    std::vector<CurvePoint> result;
+    for (const auto& [difference, size] : sizes)
+        result.push_back(size);
+    return result;
+}
+
 /// Returns whether the answers jump from never better than chance to always right, with nothing between.
-bool isStep(const ScoredAnswers& answers, double chance) {
+bool isStep(const std::vector<CurvePoint>& points, double chance) {
     std::size_t wrong = 0;
-    while (wrong < answers.points.size() && answers.points[wrong].right <= chance * answers.points[wrong].of)
+    while (wrong < points.size() && points[wrong].right <= chance * points[wrong].of)
         ++wrong;
-    if (wrong == 0 || wrong == answers.points.size())
+    if (wrong == 0 || wrong == points.size())
         return false;
-    return std::all_of(answers.points.begin() + static_cast<std::ptrdiff_t>(wrong), answers.points.end(),
+    return std::all_of(points.begin() + static_cast<std::ptrdiff_t>(wrong), points.end(),
                        [](const CurvePoint& point) { return point.right == point.of; });
+}
+
+/// Returns whether the answers at the largest differences are better than guessing, whatever was answered at
+/// smaller ones: exact and one-sided, for the best of all ends of the scale, corrected for their number
+/// (Bonferroni). `sizes`: ascending.
+bool isBetterAtTheTop(const std::vector<CurvePoint>& sizes, double chance, double level) {
+    int right = 0, of = 0;
+    return std::any_of(sizes.rbegin(), sizes.rend(), [&](const CurvePoint& size) {
+        right += size.right;
+        of += size.of;
+        return binomialUpperTail(right, of, chance) * static_cast<double>(sizes.size()) <= level;
+    });
 }
 
 /// What the number of right answers says about guessing.
@@ -57,11 +86,13 @@ enum class Level {
     untold    ///< neither is: there are too few answers
 };
 
-/// A clear advantage is a proportion correct half-way between guessing and always right, which is 75 % in
-/// 2AFC. Both tests are one-sided and exact, at 5 %.
-Level levelOf(const ScoredAnswers& answers, double chance) {
+/// Guessing is refuted by all answers together or by those at the largest differences: whoever perceives only
+/// these guesses in all other trials. A clear advantage is a proportion correct half-way between guessing and
+/// always right, which is 75 % in 2AFC. Each test is one-sided and exact, at 5 %.
+Level levelOf(const ScoredAnswers& answers, const std::vector<CurvePoint>& sizes, double chance) {
     constexpr double kLevel = 0.05;
-    if (binomialUpperTail(answers.right, answers.used, chance) <= kLevel)
+    if (binomialUpperTail(answers.right, answers.used, chance) <= kLevel ||
+        isBetterAtTheTop(sizes, chance, kLevel))
         return Level::better;
     const double halfway = 0.5 * (1.0 + chance);
     return binomialLowerTail(answers.right, answers.used, halfway) <= kLevel ? Level::guessing
@@ -76,13 +107,14 @@ void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers&
                                            [](const CurvePoint& p) { return p.right == p.of; });
         if (oneAnswer)
             warnings.push_back({WarningKind::oneAnswer});
-        if (isStep(answers, chanceOf(task)))
+        if (isStep(answers.points, chanceOf(task)))
             warnings.push_back({WarningKind::stepFunction});
         return;
     }
     if (answers.right == answers.used)
         warnings.push_back({WarningKind::allRight});
-    switch (levelOf(answers, chanceOf(task))) {
+    const std::vector<CurvePoint> sizes = bySize(answers.points);
+    switch (levelOf(answers, sizes, chanceOf(task))) {
     case Level::guessing:
         warnings.push_back({WarningKind::chance});
         break;
@@ -91,7 +123,7 @@ void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers&
         break;
     case Level::better:
         // Only answers that are better than guessing can become so at some difference.
-        if (isStep(answers, chanceOf(task)))
+        if (isStep(sizes, chanceOf(task)))
             warnings.push_back({WarningKind::stepFunction});
         break;
     }

@@ -6,8 +6,9 @@
 namespace chiron::psychophysics {
 
 /// Adds what a reader of the estimate must know: about the number and spread of trials, guessing, the
-/// influence of the prior, and lapses. `chance` is said only where the answers do not differ from guessing
-/// and are enough to show that a clear advantage over it is missing; where they are not enough,
+/// influence of the prior, and lapses. `chance` is said only where neither all answers nor those at the
+/// largest differences are better than guessing, and where they are enough to show that a clear advantage
+/// over it is missing; where they are not enough,
 /// `tooFewToTell` is said instead. Neither is ever said together with `stepFunction`.
 void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers,
                    const ThurstonePosterior& posterior);

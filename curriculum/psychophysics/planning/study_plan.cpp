@@ -21,6 +21,8 @@ namespace {
 
 constexpr int kFewWithoutValue = 20; ///< one run in so many
 constexpr double kMostTrialsExamined = 100.0;
+constexpr int kLeastRuns =
+    40; ///< if none of 40 is without a value, the share may still be 1 in 14 (95 %, exact)
 constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
 /// The exercise's scripted operators take 20 to 33 s (modules/exercises/sphere_apex/operators).
@@ -60,13 +62,13 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
     }
     const double truth = std::log10(sigmaOf(observer));
     std::vector<double> offs, webers, trials;
-    int covered = 0;
+    int covered = 0, withoutValue = 0;
     for (int run = 0; run < plan.runs; ++run) {
         const std::uint64_t runSeed = core::Random::mix(seed, "plan." + std::to_string(run));
         const std::vector<ScoredTrial> scored = simulator->run(observer, runSeed);
         trials.push_back(static_cast<double>(scored.size()));
         const RunEstimate estimate = estimateRun(condition, scored, runSeed);
-        plan.withoutValue += usableInGroup(estimate) == Usable::yes ? 0 : 1;
+        withoutValue += usableInGroup(estimate) == Usable::yes ? 0 : 1;
         if (!std::isfinite(estimate.sigma_log10) || !(estimate.sigma_log10 > 0.0)) {
             ++plan.withoutEstimate;
             continue;
@@ -75,6 +77,8 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
         webers.push_back(estimate.weber);
         covered += estimate.weber95.low <= observer.weber && observer.weber <= estimate.weber95.high ? 1 : 0;
     }
+    if (condition.stimulus.attribute != Attribute::apex)
+        plan.withoutValue = withoutValue;
     summarise(plan, offs, std::move(webers), trials, covered);
 }
 
@@ -157,7 +161,7 @@ ConditionPlan planCondition(const Condition& condition, const TrialRules& rules,
 }
 
 bool oftenWithoutValue(const ConditionPlan& plan) noexcept {
-    return plan.withoutValue > 0 && kFewWithoutValue * plan.withoutValue >= plan.runs;
+    return plan.withoutValue.value_or(0) > 0 && kFewWithoutValue * *plan.withoutValue >= plan.runs;
 }
 
 std::optional<Condition> withTrials(Condition condition, int trials) {
@@ -171,10 +175,11 @@ std::optional<Condition> withTrials(Condition condition, int trials) {
 void examineLength(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
                    std::uint64_t seed) {
     constexpr double kLonger = 1.5;
-    if (!oftenWithoutValue(plan) || condition.stimulus.attribute == Attribute::apex) // marks have no value
+    if (!oftenWithoutValue(plan) || plan.runs < kLeastRuns)
         return;
-    for (double trials = kLonger * plan.meanTrials; trials > 1.0 && trials <= kMostTrialsExamined;
-         trials *= kLonger) {
+    int candidate = 0;
+    for (double trials = kLonger * plan.meanTrials;
+         trials > 1.0 && (candidate > 0 || trials <= kMostTrialsExamined); trials *= kLonger) {
         const auto longer = withTrials(condition, static_cast<int>(std::lround(trials)));
         if (!longer)
             return;
@@ -182,9 +187,11 @@ void examineLength(ConditionPlan& plan, const Condition& condition, const Observ
         again.runs = plan.runs;
         simulate(again, *longer, observer, seedOf(condition, seed));
         const bool enough = again.runs > 0 && !oftenWithoutValue(again);
-        if (enough && plan.trialsForValues > 0)
-            return; // the length before was no chance
-        plan.trialsForValues = enough ? static_cast<int>(std::lround(again.meanTrials)) : 0;
+        if (enough && candidate > 0) { // the length before was no chance
+            plan.trialsForValues = candidate;
+            return;
+        }
+        candidate = enough ? static_cast<int>(std::lround(again.meanTrials)) : 0;
     }
 }
 

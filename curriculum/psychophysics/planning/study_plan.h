@@ -20,10 +20,10 @@ struct ConditionPlan {
     int runs = 0;            ///< number of simulated runs
     int withoutEstimate = 0; ///< of these, runs without a Weber fraction
     /// Of the runs, those that a group would leave out because their answers support no value
-    /// (usableInGroup).
-    int withoutValue = 0;
+    /// (usableInGroup). Nothing for marks of an apex, of which groups leave out none.
+    std::optional<int> withoutValue;
     /// The number of trials from which on fewer than 1 in 20 runs are without a value; 0: not examined
-    /// (examineLength), not needed, or none found.
+    /// (examineLength), not needed, or none confirmed.
     int trialsForValues = 0;
     double biasLog10 = std::numeric_limits<double>::quiet_NaN(); ///< mean of log10(estimated/true JND)
     double sdLog10 = std::numeric_limits<double>::quiet_NaN();   ///< standard deviation of the same between
@@ -73,8 +73,9 @@ std::optional<Condition> withTrials(Condition condition, int trials);
 
 /// Fills in trialsForValues of the condition's plan: simulates as many runs again with half as many trials
 /// more, and so on up to 100 trials, until fewer than 1 in 20 are without a value at two lengths in
-/// succession; the first of them is taken. Does nothing if fewer are so already. `observer` and `seed`: those
-/// of planCondition.
+/// succession; the first of them is taken, and the second may be above 100. Does nothing if fewer are so
+/// already, or if the plan has fewer than 40 runs, which do not show that. `observer` and `seed`: those of
+/// planCondition.
 void examineLength(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer,
                    std::uint64_t seed);
 

@@ -36,8 +36,9 @@ std::vector<Parameter> pestRows() {
                .description = "a step once right answers are off by more than this.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Tolerated deviation"),
                .meaning = QT_TRANSLATE_NOOP(
-                   "Procedures", "A level ends once there are this many right answers more or fewer than "
-                                 "expected. Larger values take longer and make the decision more reliable."),
+                   "Procedures",
+                   "A level ends once the number of right answers differs from the expected "
+                   "one by more than this. Larger values take longer and make the decision more reliable."),
                .usual = UsualValue{1},
                .field = FieldRange{0.1, 10, 2, 0.1}}),
         rowOf(&Spec::step,

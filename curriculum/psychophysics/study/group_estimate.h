@@ -19,7 +19,7 @@ enum class Usable : std::uint8_t {
 Usable usableInGroup(const RunEstimate& run);
 
 /// Whether the ends of an interval of a group, or of a ratio, differ so much (by a factor of 100 and more)
-/// that it tells nothing: there are too few participants. False for an interval that is not known.
+/// that it tells nothing. False for an interval that is not known.
 bool isUnbounded(const Interval& interval) noexcept;
 
 /// One participant in a group estimate.

@@ -378,6 +378,8 @@ void TestGroupWords::adviceFollowsFromTheCause() {
     QVERIFY(remedyOf(presented(40, {low}, 0.02)) == Remedy::otherDifferences);
     QVERIFY(remedyOf(presented(40, {{WarningKind::allRight}, low}, 0.02)) == Remedy::otherDifferences);
     QVERIFY(remedyOf(presented(40, {high, low}, 0.02, 0.6)) == Remedy::moreTrials);
+    QVERIFY(remedyOf(presented(40, {{WarningKind::oneLevel}, high, low})) == Remedy::moreDifferences);
+    QVERIFY(remedyOf(presented(24, {{WarningKind::tooFewToTell}, high}, 0.04, 0.6)) == Remedy::moreTrials);
     QVERIFY(remedyOf(presented(40, {})) == Remedy::none);
     const auto said = [](Presence presence, Remedy remedy) {
         session::GroupRoll roll;
@@ -396,6 +398,15 @@ void TestGroupWords::adviceFollowsFromTheCause() {
         said(Presence::allRight, Remedy::unusedDifferences).contains(QStringLiteral("table has smaller")));
     QVERIFY(said(Presence::guessing, Remedy::otherDifferences).contains(QStringLiteral("plan larger")));
     QVERIFY(said(Presence::allRight, Remedy::otherDifferences).contains(QStringLiteral("plan smaller")));
+    QVERIFY(said(Presence::unbounded, Remedy::moreDifferences).contains(QStringLiteral("plan several")));
+    QVERIFY(said(Presence::unbounded, Remedy::moreTrials).contains(QStringLiteral("far above the largest")));
+    session::GroupRoll below; // 24 of 25 right: nothing large is possible
+    below.people = {{"A", Presence::unbounded, false, Remedy::otherDifferences, false, true}};
+    const QString small = session_report::groupSentences(below, kEnglish).join(u' ');
+    QVERIFY2(small.contains(QStringLiteral("far below the smallest")) &&
+                 !small.contains(QStringLiteral("far above")) &&
+                 small.contains(QStringLiteral("plan smaller")),
+             qPrintable(small));
 }
 
 /// Whoever had nearly everything right understood the task.
@@ -416,33 +427,40 @@ void TestGroupWords::verdictsSayNoMoreThanTheNumbers() {
     QString said = verdictOf(comparedBy(1.0, 3.3e-6, 303393.0, 1.0));
     QVERIFY2(said.startsWith(QStringLiteral("No difference between “Soft” and “Stiff” is shown")) &&
                  said.contains(QStringLiteral("unbounded in practice: too few participants")) &&
-                 said.contains(QStringLiteral("With 2 participants in both conditions, even a ratio of 10")),
+                 said.contains(
+                     QStringLiteral("With 2 participants in both conditions, even a tenfold difference")),
              qPrintable(said));
     QVERIFY2(!said.contains(QStringLiteral("303")), qPrintable(said));
     QVERIFY(session_report::comparisonRow(comparedBy(1.0, 3.3e-6, 303393.0, 1.0), nameOf(0), nameOf(1), false,
                                           kEnglish)[2]
                 .startsWith(QStringLiteral("unbounded in practice")));
-    said = verdictOf(comparedBy(1.1, 0.55, 2.2, 0.6)); // half the width is a factor of 2
+    said = verdictOf(comparedBy(1.1, 0.55, 2.2, 0.6));
     QVERIFY2(said.contains(QStringLiteral("0.550 … 2.20")) &&
-                 said.contains(QStringLiteral("a ratio below 2.00 could not have been shown")),
+                 said.contains(QStringLiteral("every ratio in this interval remains possible")),
+             qPrintable(said));
+    said = verdictOf(comparedBy(94.0, 8.0, 1100.0, 0.01)); // wide, and yet it excludes 1
+    QVERIFY2(said.contains(QStringLiteral("8.00 … 1,100")) && !said.contains(QStringLiteral("unbounded")),
              qPrintable(said));
     said = verdictOf(comparedBy(1.4, 1.1, 1.8, 0.012));
-    QVERIFY2(said.startsWith(QStringLiteral("The threshold of “Stiff” is 1.40 times that of “Soft” (95 % "
-                                            "interval: 1.10 … 1.80; p = 0.012).")),
-             qPrintable(said));
+    QVERIFY2(
+        said.startsWith(QStringLiteral("The Weber fraction of “Stiff” is 1.40 times that of “Soft” (95 % "
+                                       "interval: 1.10 … 1.80; p = 0.012).")),
+        qPrintable(said));
     said = verdictOf(comparedBy(0.5, 0.4, 0.8, 0.0001)); // the larger one is named first
-    QVERIFY2(said.startsWith(QStringLiteral("The threshold of “Soft” is 2.00 times that of “Stiff” (95 % "
-                                            "interval: 1.25 … 2.50; p < 0.001).")),
-             qPrintable(said));
+    QVERIFY2(
+        said.startsWith(QStringLiteral("The Weber fraction of “Soft” is 2.00 times that of “Stiff” (95 % "
+                                       "interval: 1.25 … 2.50; p < 0.001).")),
+        qPrintable(said));
     session::ComparedConditions adjusted = comparedBy(1.4, 1.1, 1.8, 0.03);
     adjusted.weber.pHolm = 0.09; // one of several comparisons
     said = verdictOf(adjusted);
     QVERIFY2(said.startsWith(QStringLiteral("No difference")) &&
                  said.contains(QStringLiteral("adjusted p = 0.090")) &&
-                 !said.contains(QStringLiteral("could not have been")),
+                 said.contains(QStringLiteral("interval is that of this comparison alone")) &&
+                 !said.contains(QStringLiteral("remains possible")),
              qPrintable(said));
     said = verdictOf(comparedBy(1.4, std::nan(""), std::nan(""), std::nan("")));
-    QVERIFY2(said.contains(QStringLiteral("cannot be said")), qPrintable(said));
+    QVERIFY2(said.contains(QStringLiteral("It is not known whether the Weber fractions")), qPrintable(said));
 }
 
 void TestGroupWords::whoIsComparedIsNamed() {
@@ -451,7 +469,8 @@ void TestGroupWords::whoIsComparedIsNamed() {
     groups.weber.paired = false;
     groups.secondPeople = {"C", "D"};
     const QString said = verdictOf(groups);
-    QVERIFY2(said.endsWith(QStringLiteral("in “Soft” alone: A, B; in “Stiff” alone: C, D.")),
+    QVERIFY2(said.endsWith(QStringLiteral(
+                 "A, B, with a value only in “Soft”, and C, D, with a value only in “Stiff”.")),
              qPrintable(said));
     QVERIFY2(said.contains(QStringLiteral("two groups of 2 and 2 participants")), qPrintable(said));
 }

@@ -65,6 +65,15 @@ ThurstonePosterior quiet() {
     return posterior;
 }
 
+/// `right` of `used` answers, all at one difference.
+ScoredAnswers atOneDifference(int right, int used) {
+    ScoredAnswers answers = ordinary(); // two levels, so that nothing is said of their number
+    answers.points = {{0.1, right, used}};
+    answers.used = used;
+    answers.right = right;
+    return answers;
+}
+
 /// The only kinds of warning, in order.
 bool saysOnly(Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior,
               const std::vector<WarningKind>& kinds) {
@@ -145,35 +154,50 @@ private slots:
         QFETCH(int, task);
         QFETCH(int, enough);
         const auto of = static_cast<Task>(task);
-        ScoredAnswers answers = ordinary();
-        answers.used = 20;
-        answers.right = enough;
-        QVERIFY(saysOnly(of, answers, quiet(), {}));
-        answers.right = enough - 1; // guessing is not refuted, and neither is its opposite
-        QVERIFY(saysOnly(of, answers, quiet(),
+        QVERIFY(saysOnly(of, atOneDifference(enough, 20), quiet(), {}));
+        // Guessing is not refuted, and neither is its opposite.
+        QVERIFY(saysOnly(of, atOneDifference(enough - 1, 20), quiet(),
                          {of == Task::rank3 || of == Task::rank3Ties ? chance : tooFewToTell}));
-        answers.right = 19;
-        QVERIFY(saysOnly(of, answers, quiet(), {}));
-        answers.right = 20;
-        QVERIFY(saysOnly(of, answers, quiet(), {allRight}));
+        QVERIFY(saysOnly(of, atOneDifference(19, 20), quiet(), {}));
+        QVERIFY(saysOnly(of, atOneDifference(20, 20), quiet(), {allRight}));
+    }
+    /// Whoever perceives only the largest difference guesses at all others, and is no guesser. With seven
+    /// levels, 10 of 10 at the largest have p = 7/1024 = 0.007, 8 of 10 have 7 · 0.055 = 0.38. Differences of
+    /// both signs are of one size.
+    void theLargestDifferenceRefutesGuessing() {
+        using enum WarningKind;
+        const auto sevenLevels = [](int rightAtTheTop, double sign) {
+            ScoredAnswers answers = ordinary();
+            answers.points.clear();
+            for (int i = 0; i < 6; ++i)
+                answers.points.push_back({(i % 2 == 0 ? sign : 1.0) * 0.02 * (i + 1), 5, 10});
+            answers.points.push_back({sign * 0.3, rightAtTheTop, 10});
+            answers.used = 70;
+            answers.right = 30 + rightAtTheTop;
+            answers.levels = 7;
+            return answers;
+        };
+        for (const double sign : {1.0, -1.0}) {
+            QVERIFY(saysOnly(Task::twoAfc, sevenLevels(10, sign), quiet(), {stepFunction}));
+            QVERIFY(saysOnly(Task::twoAfc, sevenLevels(8, sign), quiet(), {chance}));
+        }
     }
     /// Five of six right are no sign of guessing: by guessing, p is 0.11; whoever is right in 75 % of the
     /// trials has five of six or fewer in 82 % of the cases. Two of six refute the latter (0.038), three do
     /// not (0.169). The values are summed by hand.
     void fewAnswersTellNothingOfGuessing() {
         using enum WarningKind;
-        ScoredAnswers answers = ordinary();
-        answers.used = 6;
         for (const auto& [right, kinds] :
              std::initializer_list<std::pair<int, std::vector<WarningKind>>>{{2, {fewTrials, chance}},
                                                                              {3, {fewTrials, tooFewToTell}},
                                                                              {5, {fewTrials, tooFewToTell}},
                                                                              {6, {fewTrials, allRight}}}) {
-            answers.right = right;
-            QVERIFY2(saysOnly(Task::twoAfc, answers, quiet(), kinds), qPrintable(QString::number(right)));
+            QVERIFY2(saysOnly(Task::twoAfc, atOneDifference(right, 6), quiet(), kinds),
+                     qPrintable(QString::number(right)));
         }
-        answers.used = answers.right = 2; // one in four guessers has both right
-        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {fewTrials, allRight, tooFewToTell}));
+        // One in four guessers has both right.
+        QVERIFY(saysOnly(Task::twoAfc, atOneDifference(2, 2), quiet(), {fewTrials, allRight, tooFewToTell}));
+        ScoredAnswers answers = ordinary();
         answers.used = 6; // the one at the smallest difference is wrong: no jump is seen in so few
         answers.right = 5;
         answers.points = {{0.02, 0, 1}, {0.05, 5, 5}};
