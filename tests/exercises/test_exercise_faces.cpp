@@ -295,11 +295,9 @@ void TestExerciseFaces::everyLevelHasAMechanismAndItsTools() {
     for (const catalogue::ExerciseLevel& level : everyLevel()) {
         const session::ExerciseKind& kind = **session::exerciseKind(level.exercise);
         QVERIFY2(!kind.mechanisms().empty(), level.exercise.c_str());
-        QVERIFY2(kind.mechanism() == kind.mechanisms().front(), level.exercise.c_str());
         for (const std::string_view mechanism : kind.mechanisms())
             QVERIFY2(devices::findKinematics(mechanism) != nullptr, std::string(mechanism).c_str());
         const session::LevelTools tools = kind.tools(level);
-        QCOMPARE(kind.toolCount(level), tools.count);
         QVERIFY2(tools.count >= 1 && tools.count <= core::kMaxTools, level.exercise.c_str());
         QVERIFY2(tools.perHand >= 1 && tools.count % tools.perHand == 0, level.exercise.c_str());
     }
