@@ -7,11 +7,10 @@
 #include "desktop/home/level_picture.h"
 #include "desktop/playback/playback_layer.h"
 #include "desktop/results/results_part.h"
-#include "desktop/training/found_answer.h"
 #include "desktop/training/live_part.h"
+#include "desktop/training/trial_answer.h"
 #include "scoring/trace.h"
 #include "session/level_limits.h"
-#include "session/live_sample.h"
 #include "session/session_setup.h"
 #include "session/trial_surfaces.h"
 
@@ -63,15 +62,9 @@ public:
     /// The part of the training screen that is specific to this exercise; never null. `level` outlives it.
     virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                                LiveSurroundings around) const = 0;
-    /// Judges a trial at its end if its answer is more than one mark; null if it is one mark.
-    virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
-
-    /// The feedback on a mark, on a level that gives feedback; `truth` belongs to the mark's trial. The
-    /// default text says only that the mark was taken.
-    virtual QString markWords(const session::TrialObject& /*truth*/, const session::LiveSample& /*at*/,
-                              const QLocale&) const {
-        return AnswerTexts::tr("Marked");
-    }
+    /// Judges answers on a level that gives feedback; never null. By default the answer is one mark, of which
+    /// it is only said that it was taken.
+    virtual std::unique_ptr<TrialAnswer> trialAnswer() const { return std::make_unique<MarkAnswer>(); }
 
     /// What is said as soon as tissue gives way: on a level that gives feedback with what to do about it.
     /// `ends`: the trial failed with it.

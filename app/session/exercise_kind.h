@@ -14,6 +14,7 @@
 #include "simulation/scene.h"
 #include "simulation/yield.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -62,14 +63,31 @@ inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strat
 /// time.
 using PointerTool = devices::ToolShape;
 
-/// Maps the tools of an exercise on fingertip platforms (P3) to fingers of hands: tool = hand · perHand +
-/// finger.
-struct FingersOfHand {
+/// The tools of a level and the hands that hold them: tool = hand · perHand + place in the hand.
+struct LevelTools {
+    int count = 1; ///< 1..core::kMaxTools
+    /// More than one for fingers on one device.
     int perHand = 1;
-    double spacing_m = 0.018; ///< from one pad to the next, along x_T
+    double spacing_m = 0.018; ///< from one tool of a hand to the next, along x_T
     /// The largest opening of a hand's jaw, if its tool is a point with a jaw (mouse and keyboard); 0: no
     /// jaw.
     double widestJaw_rad = 0.0;
+};
+
+/// What the mark of a trial ("here it is") means.
+enum class MarkRole {
+    answers,      ///< it is the answer; the trial ends by something else
+    endsTrial,    ///< it is the answer and ends the trial
+    oneOfSeveral, ///< by itself it is not the answer
+};
+
+/// How the supervisor caps what a session commands, in addition to the largest force.
+struct SessionCaps {
+    /// Of the torque; the default is the site's (models.md §5), for an exercise that commands none.
+    double torque_Nm = 0.150;
+    /// SafetySettings::capKnee. 0: a force is cut off at the cap, so that all smaller forces are rendered
+    /// unchanged.
+    double knee = 0.0;
 };
 
 /// What a scripted operator holds.
@@ -92,6 +110,7 @@ inline constexpr std::string_view kTissueGaveWay = "tissue gave way";
 
 /// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
 inline constexpr std::string_view kUsualMechanism = devices::kGimbalHprd;
+inline constexpr std::array<std::string_view, 1> kUsualMechanisms{kUsualMechanism};
 
 /// An exercise: its scene, its scripted operators and its truth. A new exercise adds a class and one line in
 /// app/exercises/exercise_catalogue.h. Stateless.
@@ -106,24 +125,16 @@ public:
     /// True if only studies present it: it is in no catalogue and has no levels among which a person could
     /// choose.
     virtual bool onlyInStudies() const noexcept { return false; }
-    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2),
-    /// "five_bar_spherical" (P1) or "fingertip_arm" (P3).
-    virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
-    /// All mechanisms on which the exercise can be done; the usual one (mechanism()) comes first.
-    virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
-    /// True if the last position of a trace that ends within a trial counts as the answer. False if a mark
-    /// alone is not the answer; the trial then has no end.
-    virtual bool traceEndIsMark() const noexcept { return true; }
-    /// True if the mark of a trial ends it, so that a trace file without trial numbers ends at its first
-    /// mark.
-    virtual bool markEndsTrial() const noexcept { return false; }
-    /// The SafetySettings::capKnee of its sessions. 0: a force is cut off at the cap, so that all smaller
-    /// forces are rendered unchanged.
-    virtual double capKnee() const noexcept { return 0.0; }
-    /// The number of instruments of a level, 1..core::kMaxTools.
-    virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
-    /// Only for exercises whose mechanism is "fingertip_arm".
-    virtual FingersOfHand fingers(const catalogue::ExerciseLevel&) const { return {}; }
+    /// The simulated mechanisms (kinematics ids) on which the exercise can be done, at least one; the usual
+    /// one comes first. Static data.
+    virtual std::span<const std::string_view> mechanisms() const noexcept { return kUsualMechanisms; }
+    /// The one that a scripted operator holds where no other is requested.
+    std::string_view mechanism() const noexcept { return mechanisms().front(); }
+    /// If a mark ends the trial, a trace file without trial numbers ends at its first mark. If a mark is the
+    /// answer, so is the last position of a trace that ends within a trial; otherwise that trial has no end.
+    virtual MarkRole markRole() const noexcept { return MarkRole::answers; }
+    virtual LevelTools tools(const catalogue::ExerciseLevel&) const { return {}; }
+    int toolCount(const catalogue::ExerciseLevel& level) const { return tools(level).count; }
     /// The default position of an instrument's device base in W: its entry point in the abdominal wall.
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
     /// Where the tip of a tool whose workspace is at `place` starts, m, W: for mouse and keyboard, and for a
@@ -165,9 +176,7 @@ public:
     /// The metrics of its own whose values a level limits, in addition to the force on the tissue, in the
     /// order in which people are told of them.
     virtual std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel&) const { return {}; }
-    /// The exercise's torque cap for the supervisor; the site's default (models.md §5) if the exercise
-    /// commands no torque.
-    virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
+    virtual SessionCaps caps(const catalogue::ExerciseLevel&) const { return {}; }
     /// The longest duration of a session of this level without pauses, in ticks; a scripted run stops there.
     virtual std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const = 0;
     /// Adds the truth of a trial (from content and seed) and the object that its mark touched.
@@ -201,8 +210,8 @@ public:
     /// The rules that locate the worst moment of the exercise's own metrics. For each metric, the first rule
     /// that names it applies.
     virtual std::vector<MomentRule> momentRules() const;
-    /// The depth of the instrument in its canal at a time of the track, m; empty if there is no canal or the
-    /// recording does not tell.
+    /// How deep the instrument was in the body at a time of the track, m, along its own way in; empty if the
+    /// exercise measures no such depth or the recording does not tell it.
     virtual std::optional<double> depthAt_m(const PlaybackTrack&, double /*t_s*/) const { return {}; }
     /// The exercise's support for studies whose answers are marks; null if it has none or not for this
     /// condition.

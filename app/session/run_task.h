@@ -42,7 +42,7 @@ struct RunLimits {
     const devices::IDevice* device = nullptr;
     const std::atomic<bool>* cancel = nullptr;
     LiveLink* live = nullptr; ///< an observing window, which receives every tick
-    bool endIsMark = true;    ///< ExerciseKind::traceEndIsMark()
+    bool endIsMark = true;    ///< the last position counts as the answer (ExerciseKind::markRole())
 };
 
 /// Adapts the loop to a runner and ends it by a command, so that the end is recorded like everything else. A

@@ -250,7 +250,7 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
         places = {*mapping};
     }
     devices::DriverRequest request = requestOf(choice, tool);
-    request.widestJaw_rad = tool == PointerTool::point ? kind.fingers(level).widestJaw_rad : 0.0;
+    request.widestJaw_rad = tool == PointerTool::point ? kind.tools(level).widestJaw_rad : 0.0;
     request.endoscopeStart_W = endoscopeStartOf(kind, level, places);
     for (const devices::WorkspaceMapping& place : places)
         request.tools.push_back(
@@ -275,7 +275,7 @@ core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
                                       const ScriptedDevice& held) {
-    const std::vector<std::string_view> known = kind.mechanisms();
+    const std::span<const std::string_view> known = kind.mechanisms();
     const std::string_view chosen = held.mechanism.empty() ? kind.mechanism() : held.mechanism;
     if (std::find(known.begin(), known.end(), chosen) == known.end())
         return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " +
@@ -302,9 +302,9 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
         return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
                                                          ": no simulated mechanism \"" + std::string(chosen) +
                                                          "\"");
-    const FingersOfHand fingers = kind.fingers(level);
-    request.fingersPerHand = std::max(fingers.perHand, 1);
-    request.fingerSpacing_m = fingers.spacing_m;
+    const LevelTools tools = kind.tools(level);
+    request.fingersPerHand = std::max(tools.perHand, 1);
+    request.fingerSpacing_m = tools.spacing_m;
     for (std::size_t i = 0; i < hands; ++i)
         request.tools.push_back({(*places)[i], {}, std::move(trainee->strategies[i]), {}});
     auto station = stationOf(*held.driver, std::move(request));

@@ -157,7 +157,8 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     const std::uint64_t tickLimit =
         request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
     RunTask task(**loop, inputs, sink,
-                 {tickLimit, devices.front(), request.cancel, request.live, kind.traceEndIsMark()});
+                 {tickLimit, devices.front(), request.cancel, request.live,
+                  kind.markRole() != MarkRole::oneOfSeveral});
     LoopReport report =
         request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
     report.passivity_J = (*loop)->passivityKept_J();
@@ -171,8 +172,9 @@ haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
     haptics::SafetySettings safety;
     if (const auto kind = exerciseKind(level.exercise)) {
         safety.exerciseForce_N = (*kind)->forceLimit_N(level);
-        safety.exerciseTorque_Nm = (*kind)->torqueLimit_Nm(level);
-        safety.capKnee = (*kind)->capKnee();
+        const SessionCaps caps = (*kind)->caps(level);
+        safety.exerciseTorque_Nm = caps.torque_Nm;
+        safety.capKnee = caps.knee;
     }
     safety.heartbeatWatched = false; // there is no window that could freeze
     return safety;

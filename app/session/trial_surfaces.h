@@ -20,11 +20,11 @@ struct TrialLump {
 
 /// The object of one trial, as playback draws it: the truth from content and seed.
 struct TrialObject {
-    core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; sphere_apex: centre of the ball, in the plane
+    core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; of a ball on the plane: its centre, in the plane
     double radius_m = 0.0;
     std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, if the level has a decoy
     double turn_rad = 0.0;                    ///< rotation of a meshed dome about the vertical
-    std::vector<TrialLump> lumps{}; ///< palpation: the true lumps (before a research control moved them)
+    std::vector<TrialLump> lumps{};           ///< the true ones (before a research control moved them)
 };
 
 /// The geometry that could be touched in each trial of a session, restored from its stored content and seed:

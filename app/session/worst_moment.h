@@ -24,7 +24,7 @@ struct WorstMoment {
     /// end.
     bool wholeTrial = false;
     std::optional<PlaybackMark> event{}; ///< the event that happened here, if the moment is one
-    std::optional<double> depth_m{};     ///< of the instrument in its canal, if the exercise has one
+    std::optional<double> depth_m{};     ///< ExerciseKind::depthAt_m
 };
 
 /// Locates the worst moment behind a failed gate. Of the failed gates, broken tissue has priority, then the

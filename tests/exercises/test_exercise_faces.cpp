@@ -5,7 +5,10 @@
 #include "desktop/exercise_face.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/training/info_view.h"
+#include "devices/kinematics_catalogue.h"
 #include "session/exercise_kind.h"
+#include "session/level_cues.h"
 #include "session/moment_rule.h"
 #include "session/playback_track.h"
 #include "session_report/exercise_reporter.h"
@@ -66,6 +69,8 @@ private slots:
     void everyMarkHasWords();
     void anObjectThatCameOffIsNoTissue();
     void rulesOfMomentsAreOfWhatThereIs();
+    void everyLevelHasAMechanismAndItsTools();
+    void everyKeyOfALevelDoesOneThing();
 };
 
 /// A rule that says where a metric was worst is of a metric that a level asks for, and of marks or a quantity
@@ -283,6 +288,43 @@ void TestExerciseFaces::anObjectThatCameOffIsNoTissue() {
                      QStringLiteral("The object came off the tool at 12.0 N"));
     }
     QVERIFY(session::yieldWords("knitting") == session::kTissueGaveWay);
+}
+
+/// The mechanisms on which it is done exist, and its tools fill whole hands.
+void TestExerciseFaces::everyLevelHasAMechanismAndItsTools() {
+    for (const catalogue::ExerciseLevel& level : everyLevel()) {
+        const session::ExerciseKind& kind = **session::exerciseKind(level.exercise);
+        QVERIFY2(!kind.mechanisms().empty(), level.exercise.c_str());
+        for (const std::string_view mechanism : kind.mechanisms())
+            QVERIFY2(devices::findKinematics(mechanism) != nullptr, std::string(mechanism).c_str());
+        const session::LevelTools tools = kind.tools(level);
+        QVERIFY2(tools.count >= 1 && tools.count <= core::kMaxTools, level.exercise.c_str());
+        QVERIFY2(tools.perHand >= 1 && tools.count % tools.perHand == 0, level.exercise.c_str());
+    }
+}
+
+/// No two commands of a level share a key, and each can be given at any time.
+void TestExerciseFaces::everyKeyOfALevelDoesOneThing() {
+    const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
+    int freed = 0, commands = 0;
+    for (const catalogue::ExerciseLevel& level : everyLevel()) {
+        desktop::LiveSurroundings around{.theme = theme,
+                                         .locale = QLocale::c(),
+                                         .cues = session::cuesOf(level, true),
+                                         .ownHand = true,
+                                         .report = [](std::uint16_t) {},
+                                         .freePointer = [&freed] { ++freed; }};
+        const auto part = faceOf(level).livePart(level, std::move(around));
+        const std::unique_ptr<desktop::InfoView> panel(part->makePanel());
+        std::set<int> keys;
+        for (const desktop::LiveCommand& command : part->commands()) {
+            QVERIFY2(keys.insert(command.key).second, level.exercise.c_str());
+            QVERIFY2(command.run, level.exercise.c_str());
+            command.run();
+            ++commands;
+        }
+    }
+    QVERIFY(freed > 0 && commands > freed); // some level has both kinds
 }
 
 QTEST_MAIN(TestExerciseFaces)

@@ -64,7 +64,7 @@ public:
         }
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
-        m_result.limit_Nm = m_kind->torqueLimit_Nm(level);
+        m_result.limit_Nm = m_kind->caps(level).torque_Nm;
         m_result.givesWay = m_numbers.givesWay;
         m_result.yieldStated = m_numbers.yield_N > 0.0;
         if (m_result.yieldStated)

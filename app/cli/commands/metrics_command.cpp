@@ -49,7 +49,7 @@ core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const sco
     const auto kind = session::exerciseKind(exercise);
     if (!kind)
         return badInput(QStringLiteral("--exercise: %1").arg(QString::fromStdString(kind.error().message)));
-    return meaning((*kind)->markEndsTrial());
+    return meaning((*kind)->markRole() == session::MarkRole::endsTrial);
 }
 
 core::Result<CommandOutput> metrics(const Arguments& arguments) {

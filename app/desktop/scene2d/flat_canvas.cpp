@@ -94,12 +94,11 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         painter.restore();
         room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
     };
+    const ForceBars bars = m_content ? m_content->bars(m_setup, m_state) : ForceBars{forceDial(m_setup)};
     if (m_setup.cues.arrow)
-        paint(m_content ? m_content->forceBar(m_setup, m_state) : forceDial(m_setup),
-              largestForce_N(m_state));
-    const auto second = m_content ? m_content->secondBar(m_state) : std::nullopt;
-    if (second && second->shown)
-        paint(second->dial, second->value_N);
+        paint(bars.force, largestForce_N(m_state));
+    if (bars.second && bars.second->shown)
+        paint(bars.second->dial, bars.second->value_N);
     return room;
 }
 
@@ -135,7 +134,8 @@ void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& ro
     side.place({left + sizeAbove.width() + gap, top}, scale);
 }
 
-void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) {
+void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                            bool paintsTools) {
     const bool fromAbove = panel.side() == FlatPanel::Side::above;
     panel.paintCard(painter, fromAbove ? tr("From above") : tr("From the side"), tr("x (mm)"),
                     fromAbove ? tr("y (mm)") : tr("z (mm)"));
@@ -151,7 +151,7 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const Sce
         tools.paintPin(p);
     }
     const bool several = toolsOf(m_state) > 1;
-    if (m_state.ghost.present && !m_content->drawsTools())
+    if (m_state.ghost.present && paintsTools)
         tools.paintTool(m_state.ghost,
                         m_ghostHeld.of(m_state.ghost, entersLeft(0, several, m_setup.leftHanded)), true);
     for (std::size_t i = 0; i < m_state.tool.size(); ++i) {
@@ -162,7 +162,7 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const Sce
             const core::Vec3 from = setDownBy(m_state, i);
             tools.paintDropLine(from, m_content->groundHeight_m(m_state, from.x(), from.y()));
         }
-        if (m_setup.cues.tool && !m_content->drawsTools()) {
+        if (m_setup.cues.tool && paintsTools) {
             const core::Quat held =
                 m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
             tools.paintTool(tool, held, false);
@@ -187,11 +187,12 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     if (m_content && !m_content->paintWhole(painter, room, m_setup, m_state)) {
         SceneSetup fitted = m_setup; // the text shrinks in favour of the picture
         fitted.scale = FlatPanel::scaleIn(room.height(), m_setup.scale);
-        FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), fitted);
-        FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), fitted);
+        const FlatFrame frame = m_content->frame();
+        FlatPanel above(FlatPanel::Side::above, frame.above_mm, fitted);
+        FlatPanel side(FlatPanel::Side::side, frame.side_mm, fitted);
         placePanels(above, side, room);
-        paintPanel(painter, above, fitted);
-        paintPanel(painter, side, fitted);
+        paintPanel(painter, above, fitted, !frame.ownTools);
+        paintPanel(painter, side, fitted, !frame.ownTools);
     }
     SceneNotePainter(m_setup).paint(painter, QRectF(rect()), 1.0, m_state.note);
     ++m_frames;

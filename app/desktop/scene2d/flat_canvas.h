@@ -36,7 +36,8 @@ private:
     QRectF paintReason(QPainter& painter) const;            ///< returns the remaining area of the widget
     QRectF paintBars(QPainter& painter, QRectF room) const; ///< returns the remaining area, too
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
-    void paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
+    /// `paintsTools`: the content leaves the tools and the ghost to the canvas.
+    void paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, bool paintsTools);
 
     SceneSetup m_setup;
     SceneState m_state;

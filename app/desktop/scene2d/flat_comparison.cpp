@@ -30,12 +30,8 @@ void paintNumber(QPainter& painter, const FlatPanel& panel, const SceneSetup& se
 
 } // namespace
 
-QRectF FlatComparison::rangeAbove_mm() const {
-    return FlatFloor::rangeAbove_mm();
-}
-
-QRectF FlatComparison::rangeSide_mm() const {
-    return FlatFloor::rangeSide_mm(84.0);
+FlatFrame FlatComparison::frame() const {
+    return {FlatFloor::rangeAbove_mm(), FlatFloor::rangeSide_mm(84.0)};
 }
 
 void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

@@ -25,8 +25,7 @@ public:
     QString name() const override {
         return tr("Objects side by side and instrument, from above and from the side");
     }
-    QRectF rangeAbove_mm() const override;
-    QRectF rangeSide_mm() const override;
+    FlatFrame frame() const override;
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                const SceneState& state) const override;
     double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }

@@ -6,18 +6,25 @@
 #include "desktop/scene3d/scene_state.h"
 
 #include <memory>
-#include <optional>
 
 class QPainter;
 
 namespace chiron::scene3d {
 
+/// What the canvas needs to know to lay out the two panels of a flat view.
+struct FlatFrame {
+    QRectF above_mm; ///< range in x and y that must be visible
+    QRectF side_mm;  ///< range in x and z
+    /// The content draws the tools and the ghost itself; otherwise the canvas draws laparoscopic instruments.
+    bool ownTools = false;
+};
+
 /// Draws the scene of one kind of exercise in the two flat views.
 class IFlatContent {
 public:
     virtual ~IFlatContent() = default;
-    /// May paint the whole area itself and return true. Returning false makes the canvas paint the two panels
-    /// below.
+    /// Content that is no view from above and from the side (such as what a camera in the body sees) paints
+    /// the whole area itself and returns true. Returning false makes the canvas paint the two panels below.
     virtual bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,
                             const SceneState& state) const {
         (void)painter, (void)room, (void)setup, (void)state;
@@ -26,16 +33,11 @@ public:
     /// The text that a screen reader reads for the picture; empty for the default text (from above and from
     /// the side).
     virtual QString name() const { return {}; }
-    /// Whether it draws the tools and the ghost itself; otherwise the canvas draws laparoscopic instruments.
-    virtual bool drawsTools() const { return false; }
-    virtual QRectF rangeAbove_mm() const = 0; ///< range in x and y that must be visible
-    virtual QRectF rangeSide_mm() const = 0;  ///< range in x and z
+    virtual FlatFrame frame() const = 0;
     virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                        const SceneState& state) const = 0;
-    /// The bar of the force on the tools.
-    virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
-    /// The second bar beside it; empty if there is none.
-    virtual std::optional<SecondBar> secondBar(const SceneState&) const { return std::nullopt; }
+    /// By default only the force on the tools, with the level's limit.
+    virtual ForceBars bars(const SceneSetup& setup, const SceneState&) const { return {forceDial(setup)}; }
     /// Height (z) of the ground at a position, as drawn.
     /// Unit: m.
     /// Frame: W (world).

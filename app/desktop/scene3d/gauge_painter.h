@@ -8,6 +8,7 @@
 #include <QRectF>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 class QFont;
 class QPainter;
@@ -30,6 +31,12 @@ struct SecondBar {
     GaugeDial dial;
     bool shown = false; ///< the level shows it at this moment
     double value_N = 0.0;
+};
+
+/// The bars of the forces that an exercise measures.
+struct ForceBars {
+    GaugeDial force;                   ///< of the force on the tools
+    std::optional<SecondBar> second{}; ///< beside it; empty if there is none
 };
 
 /// The end of a scale that includes `most_N`: the next multiple of 0.5 N, at least 1 N.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/answer_note.h"
 
-#include "cues/laparoscopy_cues.h"
 #include "desktop/exercise_face.h"
 
 namespace chiron::desktop {
@@ -18,22 +17,22 @@ constexpr std::uint32_t kEnds = bits::kMarked | bits::kTimedOut | bits::kComplet
 AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale,
                        std::unique_ptr<session::TrialSurfaces> truth)
     : m_feedback(level.feedback), m_locale(locale), m_truth(level.feedback ? std::move(truth) : nullptr) {
-    if (const auto face = exerciseFace(level.exercise)) {
-        m_face = *face;
-        m_found = m_face->foundAnswer();
-        m_yielded = m_face->yieldedWords(level, false);
-        m_yieldedAndEnded = m_face->yieldedWords(level, true);
+    const auto face = exerciseFace(level.exercise);
+    m_answer = face ? (*face)->trialAnswer() : std::make_unique<MarkAnswer>();
+    if (face) {
+        m_yielded = (*face)->yieldedWords(level, false);
+        m_yieldedAndEnded = (*face)->yieldedWords(level, true);
     }
 }
 
 QString AnswerNote::markedWords(const session::LiveSample& at) const {
     const auto object = truth();
-    return object && m_face ? m_face->markWords(*object, at, m_locale) : AnswerTexts::tr("Marked");
+    return object ? m_answer->markWords(*object, at, m_locale) : markTaken();
 }
 
-QString AnswerNote::foundWords() const {
-    const auto object = isFound() ? truth() : std::nullopt;
-    return object ? m_found->words(*object, m_locale) : QString();
+QString AnswerNote::endWords() const {
+    const auto object = truth();
+    return object ? m_answer->endWords(*object, m_locale) : QString();
 }
 
 /// What went wrong while the trial goes on; empty if nothing did. The worst comes first. A perforation that
@@ -49,19 +48,17 @@ QString AnswerNote::heldWords(const session::LiveSample& at) const {
     return {};
 }
 
-/// Keeps what the scene may show of this trial: the sphere whose apex was marked, or the objects to be found.
+/// Keeps what the scene may show of this trial.
 void AnswerNote::keepTruth(const session::LiveSample& at) {
-    const bool marked = (at.events & bits::kMarked) != 0;
     const auto object = truth();
-    // Marking a finding does not end the trial.
-    if (!object || (!isFound() && object->radius_m <= 0.0) || (isFound() && marked))
+    if (!object)
         return;
-    m_shown.emplace(Shown{*object, {}});
-    if (m_found)
-        m_found->keep();
-    if (marked)
-        m_shown->p_WMark = core::Vec3(static_cast<double>(at.p_WT_m[0]), static_cast<double>(at.p_WT_m[1]),
-                                      static_cast<double>(at.p_WT_m[2]));
+    std::optional<core::Vec3> p_WMark;
+    if ((at.events & bits::kMarked) != 0)
+        p_WMark = core::Vec3(static_cast<double>(at.p_WT_m[0]), static_cast<double>(at.p_WT_m[1]),
+                             static_cast<double>(at.p_WT_m[2]));
+    if (m_answer->keep(*object, p_WMark))
+        m_shown = true;
 }
 
 void AnswerNote::take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -70,20 +67,20 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
         if ((sample.events & bits::kTrialStarted) != 0) {
             // The next trial runs, so the last result disappears.
             m_said.clear();
-            m_shown.reset();
+            m_shown = false;
         }
         if ((sample.events & kEnds) != 0)
             keepTruth(sample);
         if ((sample.events & bits::kMarked) != 0)
             said = markedWords(sample);
         else if ((sample.events & bits::kTimedOut) != 0)
-            said = after(AnswerTexts::tr("Time is up"), foundWords());
+            said = after(AnswerTexts::tr("Time is up"), endWords());
         else if ((sample.events & bits::kFailed) != 0)
             said = sample.yielded && !sample.paused
                        ? m_yieldedAndEnded
                        : AnswerTexts::tr("This trial can no longer be completed");
         else if ((sample.events & bits::kCompleted) != 0)
-            said = after(AnswerTexts::tr("Trial completed"), foundWords());
+            said = after(AnswerTexts::tr("Trial completed"), endWords());
         else
             said = heldWords(sample);
         if (said.isEmpty())
@@ -94,8 +91,7 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
     if (state.phase != core::TrialPhase::running && state.phase != core::TrialPhase::ready)
         return;
     m_trial = state.trial;
-    if (m_found)
-        m_found->follow(state);
+    m_answer->follow(state);
 }
 
 scene3d::SceneNote AnswerNote::note(std::int64_t now_ns) const {
@@ -105,19 +101,8 @@ scene3d::SceneNote AnswerNote::note(std::int64_t now_ns) const {
 }
 
 void AnswerNote::show(std::int64_t now_ns, scene3d::SceneState& drawn) const {
-    if (!m_shown || !says(now_ns))
-        return;
-    if (isFound())
-        return m_found->show(m_shown->object, drawn);
-    const session::TrialObject& object = m_shown->object;
-    drawn.objectShown = true;
-    drawn.p_WObject = object.p_WObject;
-    drawn.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * object.turn_rad), 0.0, 0.0,
-                                                               std::sin(0.5 * object.turn_rad)};
-    drawn.answered = true;
-    drawn.p_WAnswer = object.p_WObject + object.radius_m * core::Vec3::UnitZ();
-    drawn.marked = m_shown->p_WMark.has_value();
-    drawn.p_WMark = m_shown->p_WMark.value_or(core::Vec3::Zero());
+    if (m_shown && says(now_ns))
+        m_answer->show(drawn);
 }
 
 } // namespace chiron::desktop

@@ -4,7 +4,7 @@
 #include "catalogue/exercise.h"
 #include "desktop/scene3d/scene_note.h"
 #include "desktop/scene3d/scene_state.h"
-#include "desktop/training/found_answer.h"
+#include "desktop/training/trial_answer.h"
 #include "haptics/display_state.h"
 #include "session/live_sample.h"
 #include "session/trial_surfaces.h"
@@ -18,12 +18,10 @@
 
 namespace chiron::desktop {
 
-class ExerciseFace;
-
 /// The message over the scene for three seconds after a trial was answered or ended. If the level gives
-/// feedback, it says how far a mark lies from the apex, or which lumps were found, and the true place is
-/// drawn beside the mark. Otherwise it says that the mark was taken. It also says that time ran out, and, as
-/// soon as it happens, that tissue gave way: with what to do about it on a level that gives feedback.
+/// feedback, it says how good the answer was (TrialAnswer), and the truth is drawn beside it. Otherwise it
+/// says that the mark was taken. It also says that time ran out, and, as soon as it happens, that tissue gave
+/// way: with what to do about it on a level that gives feedback.
 /// Thread: GUI.
 class AnswerNote {
 public:
@@ -46,12 +44,6 @@ public:
     bool holdsNext(std::int64_t now_ns) const { return m_shown && now_ns - m_since_ns < kHeld_ns; }
 
 private:
-    /// The trial that has just ended.
-    struct Shown {
-        session::TrialObject object;
-        std::optional<core::Vec3> p_WMark; ///< no value if time ran out
-    };
-
     bool says(std::int64_t now_ns) const { return !m_said.isEmpty() && now_ns - m_since_ns <= kSaid_ns; }
     std::optional<session::TrialObject> truth() const {
         return m_truth ? m_truth->object(m_trial) : std::nullopt;
@@ -59,18 +51,16 @@ private:
     void keepTruth(const session::LiveSample& at);
     QString markedWords(const session::LiveSample& at) const;
     QString heldWords(const session::LiveSample& at) const; ///< about the tissue and the grip
-    QString foundWords() const; ///< about what was reported by the end; empty if there was nothing to find
-    bool isFound() const { return m_found && m_found->answers(); }
+    QString endWords() const;                               ///< about the answer
 
-    const ExerciseFace* m_face = nullptr; ///< of the level's exercise; null if that is not known
     bool m_feedback;
     QString m_yielded, m_yieldedAndEnded; ///< ExerciseFace::yieldedWords()
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
-    int m_trial = 0;                      ///< the running trial, or the last one
-    std::unique_ptr<FoundAnswer> m_found; ///< null if the answer is a mark
+    int m_trial = 0; ///< the running trial, or the last one
+    std::unique_ptr<TrialAnswer> m_answer;
     QString m_said;
-    std::optional<Shown> m_shown;
+    bool m_shown = false; ///< m_answer has something to draw of the trial that has just ended
     std::int64_t m_since_ns = 0;
 };
 

@@ -32,7 +32,7 @@ struct ControlHint {
 
 /// The movements that are needed to begin, in the order in which they are needed, with what the person holds:
 /// three, and how to change the instrument where one hand moves several of `tools`. Used for exercises
-/// without a guide of their own (LivePart::controls). All other keys are in keysInWords().
+/// without a guide of their own (LivePart::guide). All other keys are in keysInWords().
 /// Thread: GUI.
 std::vector<ControlHint> controlGuide(session::PointerTool tool, devices::HandKind hand, int tools = 1);
 /// The keys (Qt::Key) that move this tool; none if the person holds the handle of a device.

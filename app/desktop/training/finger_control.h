@@ -37,6 +37,7 @@ public:
     bool keyUp(int key) override;
     void releaseKeys() override;
     void click() override; ///< "Here it is": marks under the first finger of the hand
+    bool marks() const noexcept override { return true; }
     void buttonDown(bool) override { m_still = true; }
     void buttonUp() override { m_still = false; }
     void feel(const haptics::DisplayState& state) override;

@@ -27,6 +27,8 @@ public:
     /// On pause, or if the window loses the keyboard focus: nothing may continue to move.
     virtual void releaseKeys() = 0;
     virtual void click() = 0; ///< "Here it is", if the exercise asks for it
+    /// Whether each mark has to come from click(), because it belongs to one of several tools.
+    virtual bool marks() const noexcept { return false; }
     /// The left button was pressed over the scene; the argument says whether Shift is held. Not every tool
     /// uses it.
     virtual void buttonDown(bool) {}

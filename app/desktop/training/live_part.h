@@ -41,10 +41,17 @@ struct LiveSurroundings {
     std::function<void()> freePointer;
 };
 
-/// A command with its key.
+/// What a key does, besides those that move the tool.
 struct LiveCommand {
-    QString text;
-    int key = 0; ///< Qt::Key
+    QString text; ///< for the list of commands; empty: it is not in the list, only LiveGuide::keys names it
+    int key = 0;  ///< Qt::Key
+    std::function<void()> run; ///< valid as long as the part
+};
+
+/// What a person is told of the controls. Where one is empty, the words for this kind of tool apply.
+struct LiveGuide {
+    std::vector<ControlHint> begin; ///< the movements that are needed to begin
+    QString keys;                   ///< all keys
 };
 
 inline constexpr double kPanelWidth_px = 290.0;
@@ -73,22 +80,15 @@ public:
                                                   std::function<void(int)> chosen) const;
     /// Names the active tool; empty if there is only one.
     virtual QString activeText(int /*tool*/) const { return {}; }
-    /// Whether the mark ("here it is") comes from the hand control instead of the single tool.
-    virtual bool handMarks() const { return false; }
-    /// The movements needed to begin, and all keys as text; empty: the defaults for this kind of tool.
-    virtual std::vector<ControlHint> controls() const { return {}; }
-    virtual QString keysText() const { return {}; }
-
-    /// Additional keys (Qt::Key) besides those that move the tool. key() returns false if the key is not one
-    /// of them.
-    virtual std::vector<int> keys() const { return {}; }
-    virtual bool key(int /*key*/) { return false; }
+    virtual LiveGuide guide() const { return {}; }
+    /// Its own keys, each once.
     virtual std::vector<LiveCommand> commands() const { return {}; }
 
     /// Called every frame: adds to the drawn scene. What it points to stays valid until the next frame.
     virtual void show(const haptics::DisplayState&, std::span<const session::LiveSample>,
                       scene3d::SceneState& /*drawn*/) {}
-    /// How far the force on a tool leans, if the level shows it; the force tone becomes brighter with it.
+    /// The angle between the force on a tool and the normal of what it touches, if the level shows it; the
+    /// force tone becomes brighter with it.
     virtual double lean_rad(const haptics::DisplayState&, std::size_t /*tool*/) const { return 0.0; }
     /// The message over the scene, shown if there is nothing more urgent.
     virtual scene3d::SceneNote note(std::int64_t /*now_ns*/) const { return {}; }

@@ -148,8 +148,8 @@ std::vector<int> TrainingScreen::handKeys() const {
     std::vector<int> keys;
     if (m_hand)
         keys.assign(m_hand->keys().begin(), m_hand->keys().end());
-    const std::vector<int> others = m_live->keys();
-    keys.insert(keys.end(), others.begin(), others.end());
+    for (const LiveCommand& command : m_live->commands())
+        keys.push_back(command.key);
     return keys;
 }
 

@@ -80,6 +80,7 @@ private:
     InfoView* makeInfo();
     QString keysText() const;
     void addPartCommands(std::vector<ScreenCommand>& list);
+    bool runPartKey(int key);
     void buildKeys();
     /// The question before a running session is ended: its text, the consequences, and the label of the
     /// confirming button.

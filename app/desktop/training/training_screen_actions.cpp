@@ -39,7 +39,7 @@ void TrainingScreen::rearm() {
 
 void TrainingScreen::mark() {
     if (running() && m_plan.ownHand() && m_tool == session::PointerTool::point && !m_control->held())
-        m_hand && m_live->handMarks() ? m_hand->click() : m_control->mark();
+        m_hand && m_hand->marks() ? m_hand->click() : m_control->mark();
 }
 
 void TrainingScreen::end() {

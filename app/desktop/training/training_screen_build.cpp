@@ -187,14 +187,25 @@ InfoView* TrainingScreen::makeInfo() {
 }
 
 QString TrainingScreen::keysText() const {
-    const QString own = m_live ? m_live->keysText() : QString();
+    const QString own = m_live ? m_live->guide().keys : QString();
     return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools, m_plan.driver->hand) : own;
 }
 
 void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
     for (const LiveCommand& each : m_live->commands())
-        list.push_back(
-            {each.text, QKeySequence(each.key), [this, key = each.key] { (void)m_live->key(key); }, false});
+        if (!each.text.isEmpty())
+            list.push_back({each.text, QKeySequence(each.key), each.run, false});
+}
+
+/// Returns false if the key is none of the part's own.
+bool TrainingScreen::runPartKey(int key) {
+    const std::vector<LiveCommand> commands = m_live ? m_live->commands() : std::vector<LiveCommand>();
+    const auto command = std::find_if(commands.begin(), commands.end(),
+                                      [key](const LiveCommand& each) { return each.key == key; });
+    if (command == commands.end())
+        return false;
+    command->run();
+    return true;
 }
 
 void TrainingScreen::buildSide() {
@@ -272,7 +283,7 @@ void TrainingScreen::buildKeys() {
             (void)m_card->scroll(key); // only scrolls, because nothing moves while the card is read
             return;
         }
-        if ((down && m_live && m_live->key(key)) || !m_hand || (down && m_control->held()))
+        if ((down && runPartKey(key)) || !m_hand || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);
     });

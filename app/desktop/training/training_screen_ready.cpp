@@ -46,7 +46,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.exercise = title();
     facts.level = text(m_level->title);
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
-    facts.controls = m_live ? m_live->controls() : std::vector<ControlHint>();
+    facts.controls = m_live ? m_live->guide().begin : std::vector<ControlHint>();
     if (facts.controls.empty())
         facts.controls = controlGuide(m_tool, m_plan.driver->hand, m_tools);
     facts.keys = keysText();

@@ -12,7 +12,7 @@ class ComparisonKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "comparison"; }
     bool onlyInStudies() const noexcept override { return true; }
-    bool traceEndIsMark() const noexcept override { return false; }
+    MarkRole markRole() const noexcept override { return MarkRole::oneOfSeveral; }
     /// In the order of simulation::comparison_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }

@@ -25,7 +25,7 @@ struct LiveStudyRequest {
     /// completed.
     std::string condition;
     Station station;
-    /// Provides the same device again if a run takes several sessions (a study of the apex); empty: only one
+    /// Provides the same device again if a run takes several sessions (MarkSessions); empty: only one
     /// session, and the run stays open.
     std::function<core::Result<Station>()> nextStation;
     std::filesystem::path ringFolder; ///< empty: the default
@@ -91,7 +91,7 @@ struct LiveStudyView {
     double timeLeft_s = 0.0;   ///< remaining time to explore; 0: no limit
     double breakLeft_s = 0.0;  ///< remaining time of the shortest break
     std::optional<bool> right; ///< only during feedback
-    std::optional<double> beside_m; ///< feedback in a study of the apex: distance of the mark from the apex
+    std::optional<double> beside_m; ///< feedback on a mark: its distance from the true place
     double adjusted = 0.0;          ///< adjustment: 0..1, position of the level in its table
 };
 
@@ -178,7 +178,7 @@ public:
     /// display(), samples(), pointer() of the running session. It is another object (with another pointer)
     /// once sessions() has increased.
     virtual LiveTraining& training() = 0;
-    virtual int sessions() const { return 1; } ///< sessions begun since start()
+    virtual int sessions() const = 0; ///< sessions begun since start()
 
     /// Gives the participant's answer (psychophysics::answers(task)), or a stated number (magnitude), or
     /// "set" (adjustment).

@@ -27,6 +27,7 @@ public:
     const psychophysics::Condition& condition() const override;
     const catalogue::ExerciseLevel& level() const override;
     LiveTraining& training() override;
+    int sessions() const override { return 1; }
 
     core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) override;
     void adjust(int steps) override;

@@ -277,8 +277,9 @@ private slots:
                        ovary.exercise.of<core::LaparoscopyCues>());
         QVERIFY(squeeze.dial.limit_N == 2.0 && squeeze.dial.range_N > 2.0);
         QCOMPARE(squeeze.value_N, 1.3);
-        QVERIFY(makeFlatContent(samples::tubeSetup())->secondBar(tube).has_value());
-        QVERIFY(!makeFlatContent(samples::setup())->secondBar({}).has_value()); // of the ball
+        QVERIFY(makeFlatContent(samples::tubeSetup())->bars(samples::tubeSetup(), tube).second.has_value());
+        QVERIFY(
+            !makeFlatContent(samples::setup())->bars(samples::setup(), {}).second.has_value()); // of the ball
     }
 
     void instrumentsEnterFromTheirOwnSides() {

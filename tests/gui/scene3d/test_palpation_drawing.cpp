@@ -447,7 +447,7 @@ private slots:
     void flatPictureHasTheSameGeometry() {
         const SceneSetup setup = samples::palpationSetup(Tissue::breast);
         const auto content = makeFlatContent(setup);
-        QVERIFY(content && content->drawsTools() && !content->name().isEmpty());
+        QVERIFY(content && content->frame().ownTools && !content->name().isEmpty());
         const simulation::PalpationParameters parameters = samples::palpationParameters(Tissue::breast);
         const FlatPalpation flat(parameters);
         const TissueSurface surface(parameters.tissue.shape);
@@ -482,7 +482,7 @@ private slots:
             const simulation::SurfaceMap map = samples::searched(setup, 0.4);
             state.overlay.own<PalpationOverlay>().map = &map;
             PaintedDevice device;
-            FlatPanel panel(FlatPanel::Side::above, flat.rangeAbove_mm(), setup);
+            FlatPanel panel(FlatPanel::Side::above, flat.frame().above_mm, setup);
             panel.place({0, 0}, 4.0);
             {
                 QPainter painter(&device);
@@ -524,7 +524,7 @@ private slots:
         const auto picture = [&](const SceneState& shown) {
             tests::PaintedShapes image(QSize(400, 300));
             QPainter painter(&image);
-            FlatPanel panel(FlatPanel::Side::side, flat.rangeSide_mm(), setup);
+            FlatPanel panel(FlatPanel::Side::side, flat.frame().side_mm, setup);
             panel.place({0, 0}, 3.0);
             flat.paint(painter, panel, setup, shown);
             painter.end();

@@ -75,10 +75,10 @@ private:
         const std::unique_ptr<desktop::InfoView> panel(part->makePanel());
         panel->setDetailed(true);
         QStringList texts = textsOf(*panel);
-        add(texts, part->controls());
+        add(texts, part->guide().begin);
         for (const desktop::LiveCommand& command : part->commands())
             texts << command.text;
-        return texts << part->keysText() << part->activeText(0);
+        return texts << part->guide().keys << part->activeText(0);
     }
 
     TrainingBench m_bench;

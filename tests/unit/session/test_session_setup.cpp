@@ -190,8 +190,8 @@ void TestSessionSetup::safetyFollowsTheExercise() {
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
             const haptics::SafetySettings safety = session::headlessSafety(level);
             QCOMPARE(safety.exerciseForce_N, (*kind)->forceLimit_N(level));
-            QCOMPARE(safety.exerciseTorque_Nm, (*kind)->torqueLimit_Nm(level));
-            QCOMPARE(safety.capKnee, (*kind)->capKnee());
+            QCOMPARE(safety.exerciseTorque_Nm, (*kind)->caps(level).torque_Nm);
+            QCOMPARE(safety.capKnee, (*kind)->caps(level).knee);
             QVERIFY(!safety.heartbeatWatched);
             knees += safety.capKnee != haptics::SafetySettings().capKnee ? 1 : 0;
         }

@@ -36,7 +36,7 @@ class AnyKind final : public session::ExerciseKind {
 public:
     explicit AnyKind(std::string_view mechanism) : m_mechanism(mechanism) {}
     std::string_view id() const noexcept override { return "any"; }
-    std::string_view mechanism() const noexcept override { return m_mechanism; }
+    std::span<const std::string_view> mechanisms() const noexcept override { return {&m_mechanism, 1}; }
     std::optional<Vec3> toolStart_W(const catalogue::ExerciseLevel&,
                                     const devices::WorkspaceMapping&) const override {
         return m_mechanism == "five_bar_spherical" ? std::optional(kBeforeTheEntrance) : std::nullopt;
@@ -71,7 +71,7 @@ public:
     explicit Graspers(int tools, int hands = 0) : m_tools(tools), m_hands(hands > 0 ? hands : tools) {}
     std::string_view id() const noexcept override { return "any"; }
     PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
-    int toolCount(const catalogue::ExerciseLevel&) const override { return m_tools; }
+    session::LevelTools tools(const catalogue::ExerciseLevel&) const override { return {.count = m_tools}; }
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int tool) const override {
         return {{tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.0}, 1.0, false};
     }

@@ -10,9 +10,26 @@
 #include <Qt3DCore/QEntity>
 #include <Qt3DRender/QLayer>
 #include <memory>
-#include <optional>
 
 namespace chiron::scene3d {
+
+/// How the stage sets its content in the picture.
+struct ContentFrame {
+    double fieldRadius_m = 0.0;                  ///< radius of the workspace round W's origin
+    double planeHeight_m = 0.0;                  ///< the bottom of what is drawn
+    double roomAbove_m = 0.0;                    ///< height above the plane that the camera must see
+    double elevation_rad = kCameraElevation_rad; ///< of the camera above the plane
+    /// A drape with an opening surrounds the content; otherwise the content itself fills the picture.
+    bool draped = true;
+    /// The content draws the tools and the ghost itself; otherwise the stage draws laparoscopic instruments.
+    bool ownTools = false;
+};
+
+/// The layers that are drawn after the field, in this order.
+struct SceneLayers {
+    Qt3DRender::QLayer* translucent; ///< for translucent parts
+    Qt3DRender::QLayer* over;        ///< for parts that lie over everything, like the arrow
+};
 
 /// The content of the scene that is specific to one kind of exercise and lies in the opening of the drape.
 /// Its entities belong to the parent entity.
@@ -28,28 +45,15 @@ public:
     /// Unit: m.
     /// Frame: W (world).
     virtual double groundHeight_m(double x_m, double y_m) const = 0;
-    virtual double fieldRadius_m() const = 0; ///< radius of the workspace round W's origin
-    virtual double planeHeight_m() const = 0;
-    virtual double roomAbove_m() const = 0; ///< height above the plane that the camera must see
-    /// Whether a drape with an opening surrounds the content; otherwise the content itself fills the picture.
-    virtual bool isDraped() const { return true; }
-    /// Elevation of the camera above the plane.
-    /// Unit: rad.
-    virtual double elevation_rad() const { return kCameraElevation_rad; }
-    /// Whether the content draws the tools and the ghost itself; otherwise the stage draws laparoscopic
-    /// instruments.
-    virtual bool drawsTools() const { return false; }
-    /// The bar of the force on the tools.
-    virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
-    /// The second bar beside it; empty if there is none.
-    virtual std::optional<SecondBar> secondBar(const SceneState&) const { return std::nullopt; }
+    /// Changes only with change().
+    virtual ContentFrame frame() const = 0;
+    /// By default only the force on the tools, with the level's limit.
+    virtual ForceBars bars(const SceneSetup& setup, const SceneState&) const { return {forceDial(setup)}; }
     /// Sets the size of the picture in device pixels and the number of device pixels per logical pixel, for
     /// content that is laid out in the picture itself.
     virtual void setPicture(const QSize& size_px, double ratio) { (void)size_px, (void)ratio; }
-    /// Puts translucent parts on this layer, which is drawn after the field.
-    virtual void putTranslucent(Qt3DRender::QLayer* layer) { (void)layer; }
-    /// Puts parts that lie over everything, like the arrow, on this layer.
-    virtual void putOver(Qt3DRender::QLayer* layer) { (void)layer; }
+    /// Puts the parts that are not drawn with the field on their layers. Called once.
+    virtual void putOn(const SceneLayers&) {}
 };
 
 /// Creates the content of an exercise; null if the exercise has no drawn scene. Each exercise adds one line

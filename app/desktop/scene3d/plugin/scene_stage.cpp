@@ -36,9 +36,9 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
       m_yields(m_light, m_overLayer, m_root) {
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
-    m_content->putTranslucent(m_ghostLayer);
-    m_content->putOver(m_overLayer);
-    if (m_content->isDraped())
+    m_content->putOn({.translucent = m_ghostLayer, .over = m_overLayer});
+    m_frame = m_content->frame();
+    if (m_frame.draped)
         makeDrape();
     m_marks = new PlaceMarks(m_light, m_root);
     for (Instrument*& instrument : m_instruments)
@@ -91,18 +91,18 @@ void SceneStage::makeDrape() {
     auto* material = m_light.effects.material("drape.vert", "drape.frag",
                                               {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
                                               Blend::opaque, m_root);
-    auto* drape =
-        new Part(drapeMesh((m_content->fieldRadius_m() + kOpeningBeyond_m) * 1e3), material, m_root);
-    drape->at().setTranslation({0.0F, 0.0F, float(m_content->planeHeight_m() * 1e3)});
+    auto* drape = new Part(drapeMesh((m_frame.fieldRadius_m + kOpeningBeyond_m) * 1e3), material, m_root);
+    drape->at().setTranslation({0.0F, 0.0F, float(m_frame.planeHeight_m * 1e3)});
 }
 
 void SceneStage::change(const SceneSetup& setup) {
     m_setup = setup;
     m_light.change(setup);
     const QColor beyond = setup.colours.highContrast ? setup.colours.background : kCavity;
-    m_clear->setClearColor(m_content->isDraped() ? setup.colours.field : beyond);
     m_cloth->setValue(toTint(setup.colours.field).toVector3D());
     m_content->change(setup);
+    m_frame = m_content->frame();
+    m_clear->setClearColor(m_frame.draped ? setup.colours.field : beyond);
     m_marks->change(setup);
     m_yields.change(setup);
     m_ghost->setGhostColour(setup.colours.ghost);
@@ -123,21 +123,21 @@ void SceneStage::show(const SceneState& state) {
     for (std::size_t i = 0; i < state.tool.size(); ++i) {
         ToolView tool = state.tool[i];
         m_arrows[i]->show(tool);
-        tool.present = tool.present && m_setup.cues.tool && !m_content->drawsTools();
+        tool.present = tool.present && m_setup.cues.tool && !m_frame.ownTools;
         m_instruments[i]->wear(several ? static_cast<int>(i) + 1 : 0,
                                several && state.activeTool == static_cast<int>(i));
         m_instruments[i]->show(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
     }
     ToolView ghost = state.ghost;
-    ghost.present = ghost.present && !m_content->drawsTools();
+    ghost.present = ghost.present && !m_frame.ownTools;
     m_ghost->show(ghost, entersLeft(0, several, m_setup.leftHanded));
-    showForce(state);
-    showSecond(state);
+    const ForceBars bars = m_content->bars(m_setup, state);
+    showForce(bars.force, state);
+    showSecond(bars.second);
     m_note->show(state.note);
 }
 
-void SceneStage::showForce(const SceneState& state) {
-    const GaugeDial dial = m_content->forceBar(m_setup, state);
+void SceneStage::showForce(const GaugeDial& dial, const SceneState& state) {
     if (!(dial == m_forceDial)) { // happens once per trial and repaints the face
         m_forceDial = dial;
         m_gauge->change(m_setup, dial, m_setup.cues.arrow);
@@ -145,8 +145,7 @@ void SceneStage::showForce(const SceneState& state) {
     m_gauge->show(largestForce_N(state));
 }
 
-void SceneStage::showSecond(const SceneState& state) {
-    const std::optional<SecondBar> bar = m_content->secondBar(state);
+void SceneStage::showSecond(const std::optional<SecondBar>& bar) {
     const std::optional<GaugeDial> dial = bar ? std::optional(bar->dial) : std::nullopt;
     const bool shown = bar && bar->shown;
     if (shown != m_dialShown || !(dial == m_dial)) { // this happens once per trial and repaints the face
@@ -176,9 +175,8 @@ void SceneStage::setPicture(const QSize& size_px, double ratio) {
 void SceneStage::aim() {
     const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
     const CameraFit fit =
-        fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
-                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare(),
-                  m_content->elevation_rad());
+        fitCamera(m_frame.fieldRadius_m + 1.2 * kOpeningBeyond_m, m_frame.planeHeight_m, m_frame.roomAbove_m,
+                  aspect, m_gauge->widthShare() + m_second->widthShare(), m_frame.elevation_rad);
     QMatrix4x4 projection;
     // The projection is centred in the area that the bars leave free.
     projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F);

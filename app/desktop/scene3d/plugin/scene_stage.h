@@ -36,8 +36,8 @@ private:
     void makeFrameGraph(QObject* surface);
     void makeDrape();
     void aim();
-    void showForce(const SceneState& state);
-    void showSecond(const SceneState& state);
+    void showForce(const GaugeDial& dial, const SceneState& state);
+    void showSecond(const std::optional<SecondBar>& bar);
     void placeSecond();
 
     SceneSetup m_setup;
@@ -51,13 +51,14 @@ private:
     YieldMarks m_yields;
     Qt3DRender::QClearBuffers* m_clear = nullptr;
     std::unique_ptr<ISceneContent> m_content;
+    ContentFrame m_frame; ///< of the content
     std::array<Instrument*, core::kMaxTools> m_instruments{};
     std::array<ForceArrow*, core::kMaxTools> m_arrows{};
     Instrument* m_ghost = nullptr;
     PlaceMarks* m_marks = nullptr;
     ForceGauge* m_gauge = nullptr;
     NoteCard* m_note = nullptr;
-    ForceGauge* m_second = nullptr; ///< shows tension or squeeze
+    ForceGauge* m_second = nullptr; ///< the exercise's second force
     GaugeDial m_forceDial;          ///< includes the band, if there is one
     std::optional<GaugeDial> m_dial;
     bool m_dialShown = false;

@@ -88,13 +88,10 @@ void paintMark(QPainter& painter, const FlatPanel& panel, const TubeCurve& curve
 
 } // namespace
 
-QRectF FlatTube::rangeAbove_mm() const {
-    return FlatFloor::rangeAbove_mm();
-}
-
-QRectF FlatTube::rangeSide_mm() const {
-    return FlatFloor::rangeSide_mm(
-        std::min(110.0, 1e3 * m_parameters.restLength_m * m_parameters.tearRatio + 14.0));
+FlatFrame FlatTube::frame() const {
+    return {FlatFloor::rangeAbove_mm(),
+            FlatFloor::rangeSide_mm(
+                std::min(110.0, 1e3 * m_parameters.restLength_m * m_parameters.tearRatio + 14.0))};
 }
 
 void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

@@ -22,12 +22,11 @@ public:
                                           const MarkedScene& scene);
 
     QString name() const override { return tr("Elastic tube and instruments, from above and from the side"); }
-    QRectF rangeAbove_mm() const override;
-    QRectF rangeSide_mm() const override;
+    FlatFrame frame() const override;
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                const SceneState& state) const override;
-    std::optional<SecondBar> secondBar(const SceneState& state) const override {
-        return tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    ForceBars bars(const SceneSetup& setup, const SceneState& state) const override {
+        return {forceDial(setup), tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>())};
     }
     double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
 

@@ -16,7 +16,7 @@ const OrganLook kTube{{1.0F, 0.80F, 0.72F, 0.65F}, {0.97F, 0.66F, 0.60F, 0.9F}};
 
 TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
     : m_parameters(setup.parameters.as<simulation::ElasticTubeParameters>()),
-      m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
+      m_abdomen(new Abdomen(light, kFieldRadius_m, parent)) {
     m_tube = new Part({}, m_abdomen->organ(kTube, m_abdomen), m_abdomen);
     m_fold = new Part({}, m_abdomen->organ(kFold, m_abdomen), m_abdomen);
     m_ink =
@@ -30,18 +30,15 @@ TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::
         part->setEnabled(false);
 }
 
-double TubeContent::fieldRadius_m() const {
-    return 0.052;
-}
-
-double TubeContent::roomAbove_m() const {
+ContentFrame TubeContent::frame() const {
     // The tube can reach this high before it tears, plus the jaws on it.
-    return std::min(0.074, m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010);
+    const double reach_m = m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010;
+    return {.fieldRadius_m = kFieldRadius_m, .roomAbove_m = std::min(0.074, reach_m), .draped = false};
 }
 
-void TubeContent::putTranslucent(Qt3DRender::QLayer* layer) {
-    m_shade->addComponent(layer);
-    m_target->putTranslucent(layer);
+void TubeContent::putOn(const SceneLayers& layers) {
+    m_shade->addComponent(layers.translucent);
+    m_target->putTranslucent(layers.translucent);
 }
 
 void TubeContent::change(const SceneSetup& setup) {

@@ -18,16 +18,15 @@ public:
     void show(const SceneState& state) override;
     void warm() override {}
     double groundHeight_m(double, double) const override { return 0.0; }
-    double fieldRadius_m() const override;
-    double planeHeight_m() const override { return 0.0; }
-    double roomAbove_m() const override;
-    bool isDraped() const override { return false; }
-    std::optional<SecondBar> secondBar(const SceneState& state) const override {
-        return tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    ContentFrame frame() const override;
+    ForceBars bars(const SceneSetup& setup, const SceneState& state) const override {
+        return {forceDial(setup), tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>())};
     }
-    void putTranslucent(Qt3DRender::QLayer* layer) override;
+    void putOn(const SceneLayers& layers) override;
 
 private:
+    static constexpr double kFieldRadius_m = 0.052;
+
     void showTarget(const core::LaparoscopyCues& cues);
 
     simulation::ElasticTubeParameters m_parameters;

@@ -50,8 +50,8 @@ private:
 
 } // namespace
 
-int ElasticTubeKind::toolCount(const catalogue::ExerciseLevel& level) const {
-    return parametersOf(level).tools();
+LevelTools ElasticTubeKind::tools(const catalogue::ExerciseLevel& level) const {
+    return {.count = parametersOf(level).tools()};
 }
 
 devices::WorkspaceMapping ElasticTubeKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {

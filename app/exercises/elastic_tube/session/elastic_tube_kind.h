@@ -9,7 +9,7 @@ namespace chiron::session {
 class ElasticTubeKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "elastic_tube"; }
-    int toolCount(const catalogue::ExerciseLevel& level) const override;
+    LevelTools tools(const catalogue::ExerciseLevel& level) const override;
     /// One instrument enters over the middle; two enter at x = ± instrumentsApart/2, with tool 0, the right
     /// one, on the positive side.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;

@@ -53,12 +53,8 @@ void paintBody(QPainter& painter, const FlatPanel& panel, const SceneSetup& setu
 
 } // namespace
 
-QRectF FlatHandling::rangeAbove_mm() const {
-    return FlatFloor::rangeAbove_mm();
-}
-
-QRectF FlatHandling::rangeSide_mm() const {
-    return FlatFloor::rangeSide_mm(84.0);
+FlatFrame FlatHandling::frame() const {
+    return {FlatFloor::rangeAbove_mm(), FlatFloor::rangeSide_mm(84.0)};
 }
 
 void FlatHandling::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

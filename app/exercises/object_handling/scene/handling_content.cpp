@@ -56,7 +56,7 @@ core::Vec3 jawsOf(const core::BodyCue& body, const SceneState& state) {
 
 HandlingContent::HandlingContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
     : m_parameters(setup.parameters.as<simulation::ObjectHandlingParameters>()),
-      m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
+      m_abdomen(new Abdomen(light, kFieldRadius_m, parent)) {
     auto* skin = m_abdomen->organ(kOvary, m_abdomen);
     for (Part*& body : m_body) {
         body = new Part(ovary(), skin, m_abdomen);
@@ -88,13 +88,13 @@ void HandlingContent::showOrgan(const SceneState& state) {
     m_organ->mesh().setMesh(dented(m_organAtRest, dents));
 }
 
-double HandlingContent::fieldRadius_m() const {
-    return 0.056;
+ContentFrame HandlingContent::frame() const {
+    return {.fieldRadius_m = kFieldRadius_m, .roomAbove_m = 0.070, .draped = false};
 }
 
-void HandlingContent::putTranslucent(Qt3DRender::QLayer* layer) {
-    m_shade->addComponent(layer);
-    m_target->putTranslucent(layer);
+void HandlingContent::putOn(const SceneLayers& layers) {
+    m_shade->addComponent(layers.translucent);
+    m_target->putTranslucent(layers.translucent);
 }
 
 void HandlingContent::change(const SceneSetup& setup) {

@@ -22,16 +22,15 @@ public:
     double groundHeight_m(double x_m, double y_m) const override {
         return organHeight_m(m_parameters, x_m, y_m);
     }
-    double fieldRadius_m() const override;
-    double planeHeight_m() const override { return 0.0; }
-    double roomAbove_m() const override { return 0.070; }
-    bool isDraped() const override { return false; }
-    std::optional<SecondBar> secondBar(const SceneState& state) const override {
-        return squeezeBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    ContentFrame frame() const override;
+    ForceBars bars(const SceneSetup& setup, const SceneState& state) const override {
+        return {forceDial(setup), squeezeBar(m_parameters, state.exercise.of<core::LaparoscopyCues>())};
     }
-    void putTranslucent(Qt3DRender::QLayer* layer) override;
+    void putOn(const SceneLayers& layers) override;
 
 private:
+    static constexpr double kFieldRadius_m = 0.056;
+
     void showBodies(const SceneState& state);
     void showDish(const core::LaparoscopyCues& cues);
     void showOrgan(const SceneState& state);

@@ -14,11 +14,11 @@ void FoundLumps::follow(const haptics::DisplayState& state) {
 }
 
 // Matches findings to lumps in the same way as the scoring does.
-std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObject& object,
+std::vector<scoring::FindingMatch> FoundLumps::matches(const std::vector<session::TrialLump>& lumps,
                                                        const Findings& findings) {
     scoring::PalpationTruth truth;
     truth.hitRadius_m = 0.0; // here `radius_m` of each lump is already its reach
-    for (const session::TrialLump& lump : object.lumps)
+    for (const session::TrialLump& lump : lumps)
         truth.lumps.push_back({.place_W = lump.p_WAbove, .radius_m = lump.reach_m});
     simulation::FindingsBook book;
     for (std::size_t i = 0; i < findings.size(); ++i)
@@ -27,8 +27,10 @@ std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObjec
     return scoring::matchesOf(book, truth);
 }
 
-QString FoundLumps::words(const session::TrialObject& truth, const QLocale& locale) const {
-    const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_findings);
+QString FoundLumps::endWords(const session::TrialObject& truth, const QLocale& locale) const {
+    if (!m_palpates)
+        return {};
+    const std::vector<scoring::FindingMatch> matches = this->matches(truth.lumps, m_findings);
     const auto hits = static_cast<int>(std::count_if(
         matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
     const int wrong = static_cast<int>(matches.size()) - hits;
@@ -52,10 +54,19 @@ QString FoundLumps::words(const session::TrialObject& truth, const QLocale& loca
                : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
 }
 
+// Marking a finding does not end the trial.
+bool FoundLumps::keep(const session::TrialObject& truth, const std::optional<core::Vec3>& p_WMark) {
+    if (!m_palpates || p_WMark)
+        return false;
+    m_kept = m_findings;
+    m_keptLumps = truth.lumps;
+    return true;
+}
+
 /// Shows the result as playback does: each lump, whether it was found, and the outcome of each finding.
-void FoundLumps::show(const session::TrialObject& truth, scene3d::SceneState& drawn) const {
-    const std::vector<session::TrialLump>& lumps = truth.lumps;
-    const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_kept);
+void FoundLumps::show(scene3d::SceneState& drawn) const {
+    const std::vector<session::TrialLump>& lumps = m_keptLumps;
+    const std::vector<scoring::FindingMatch> matches = this->matches(lumps, m_kept);
     auto& cues = drawn.exercise.own<simulation::PalpationCues>();
     auto& overlay = drawn.overlay.own<scene3d::PalpationOverlay>();
     cues.present = true;

@@ -79,7 +79,7 @@ QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, con
     return palpationFacts(*palpationOf(level), locale);
 }
 
-std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const {
+std::unique_ptr<TrialAnswer> PalpationFace::trialAnswer() const {
     return std::make_unique<FoundLumps>();
 }
 

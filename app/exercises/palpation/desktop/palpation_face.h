@@ -11,7 +11,7 @@ public:
     std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level,
                                           const PictureFrame& frame) const override;
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
-    std::unique_ptr<FoundAnswer> foundAnswer() const override;
+    std::unique_ptr<TrialAnswer> trialAnswer() const override;
     QString yieldedWords(const catalogue::ExerciseLevel& level, bool ends) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;

@@ -52,6 +52,10 @@ QString PalpationPart::activeText(int tool) const {
     return m_level.hands > 1 ? activeHandInWords(tool / m_level.fingers) : QString();
 }
 
+LiveGuide PalpationPart::guide() const {
+    return {controls(), keysText()};
+}
+
 std::vector<ControlHint> PalpationPart::controls() const {
     if (around().hand == devices::HandKind::handle)
         return {{Pictogram::moveStylus, GuideTexts::tr("Move"),
@@ -81,32 +85,22 @@ QString PalpationPart::keysText() const {
                                 around().hand);
 }
 
-std::vector<int> PalpationPart::keys() const {
-    std::vector<int> keys(FindingsBox::keys().begin(), FindingsBox::keys().end());
-    keys.push_back(kMapKey);
-    keys.push_back(kFreeKey);
-    return keys;
-}
-
-bool PalpationPart::key(int key) {
-    if (key == kMapKey)
-        m_panel->switchMap();
+std::vector<LiveCommand> PalpationPart::commands() const {
+    const auto textOf = [](int key) {
+        return key == Qt::Key_N        ? TrainingTexts::tr("Select the next finding")
+               : key == Qt::Key_Delete ? TrainingTexts::tr("Take back the selected finding")
+               : key == Qt::Key_D      ? TrainingTexts::tr("Nothing more to report")
+                                       : QString();
+    };
+    std::vector<LiveCommand> list;
+    for (const int key : FindingsBox::keys())
+        list.push_back({textOf(key), key, [panel = m_panel, key] { panel->findings().key(key); }});
     // The clock continues and the finger stays in place, because the session accepts no findings while
     // paused.
-    else if (key == kFreeKey)
-        around().freePointer();
-    else
-        return m_panel->findings().key(key);
-    return true;
-}
-
-std::vector<LiveCommand> PalpationPart::commands() const {
-    std::vector<LiveCommand> list{{TrainingTexts::tr("Select the next finding"), Qt::Key_N},
-                                  {TrainingTexts::tr("Take back the selected finding"), Qt::Key_Delete},
-                                  {TrainingTexts::tr("Nothing more to report"), Qt::Key_D},
-                                  {TrainingTexts::tr("Free the pointer to rate with the mouse"), kFreeKey}};
-    if (m_map)
-        list.push_back({TrainingTexts::tr("Map: searched area or force"), kMapKey});
+    list.push_back(
+        {TrainingTexts::tr("Free the pointer to rate with the mouse"), kFreeKey, around().freePointer});
+    list.push_back({m_map ? TrainingTexts::tr("Map: searched area or force") : QString(), kMapKey,
+                    [panel = m_panel] { panel->switchMap(); }});
     return list;
 }
 

@@ -23,18 +23,16 @@ public:
     std::unique_ptr<HandControl> takeHand(session::LiveTraining& training,
                                           std::function<void(int)> chosen) const override;
     QString activeText(int tool) const override;
-    // With several fingers, a mark belongs to the hand that is moved.
-    bool handMarks() const override { return true; }
-    std::vector<ControlHint> controls() const override;
-    QString keysText() const override;
-    std::vector<int> keys() const override;
-    bool key(int key) override;
+    LiveGuide guide() const override;
     std::vector<LiveCommand> commands() const override;
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples,
               scene3d::SceneState& drawn) override;
     double lean_rad(const haptics::DisplayState& state, std::size_t tool) const override;
 
 private:
+    std::vector<ControlHint> controls() const;
+    QString keysText() const;
+
     const simulation::PalpationParameters& m_level;
     PalpationPanel* m_panel = nullptr;
     std::optional<PalpationMap> m_map; ///< of the current trial, if the level shows it

@@ -38,12 +38,16 @@ FlatPalpation::FlatPalpation(const simulation::PalpationParameters& parameters)
     findHeightLines();
 }
 
-QRectF FlatPalpation::rangeAbove_mm() const {
+FlatFrame FlatPalpation::frame() const {
+    return {.above_mm = above_mm(), .side_mm = side_mm(), .ownTools = true};
+}
+
+QRectF FlatPalpation::above_mm() const {
     const core::Vec2 reach = 1e3 * m_parameters.areaHalf_m + core::Vec2::Constant(kBeside_mm);
     return {-reach.x(), -reach.y(), 2.0 * reach.x(), 2.0 * reach.y()};
 }
 
-QRectF FlatPalpation::rangeSide_mm() const {
+QRectF FlatPalpation::side_mm() const {
     const double reach = 1e3 * m_parameters.areaHalf_m.x() + kBeside_mm;
     const double low = 1e3 * m_parameters.tissue.shape.planeHeight_m - kBelow_mm;
     return {-reach, low, 2.0 * reach, 1e3 * m_surface.highest_m() + kAbove_mm - low};
@@ -55,7 +59,7 @@ double FlatPalpation::groundHeight_m(const SceneState&, double x_m, double y_m) 
 
 /// Shades the relief with light from the upper left, once per level.
 void FlatPalpation::paintRelief() {
-    const QRectF range = rangeAbove_mm();
+    const QRectF range = above_mm();
     const QColor bare = tissueColour(tissueLookOf(m_parameters.tissue));
     const Areola areola = areolaOf(m_parameters.tissue);
     const core::Vec3 lamp = core::Vec3(-0.5, 0.6, 0.9).normalized();
@@ -73,7 +77,7 @@ void FlatPalpation::paintRelief() {
 
 /// Finds the contour lines by marching squares on a grid of 1 mm.
 void FlatPalpation::findHeightLines() {
-    const QRectF range = rangeAbove_mm();
+    const QRectF range = above_mm();
     const double rise_mm = 1e3 * (m_surface.highest_m() - m_parameters.tissue.shape.planeHeight_m);
     m_lineStep_mm = rise_mm > 20.0 ? 5.0 : 2.0;
     if (m_surface.flat())
@@ -127,7 +131,7 @@ std::vector<core::Vec2> FlatPalpation::profile(const SceneState& state) const {
             dent.depth_m > 0.0)
             dents.push_back(dent);
     const double y_m = cut_m(state, m_surface);
-    const double reach_m = 1e-3 * rangeSide_mm().right();
+    const double reach_m = 1e-3 * side_mm().right();
     std::vector<double> across;
     for (double x = -reach_m; x <= reach_m; x += kStep_m)
         across.push_back(x);

@@ -28,13 +28,11 @@ public:
                                           const MarkedScene& scene);
 
     QString name() const override { return tr("Tissue, fingers and findings, from above and from the side"); }
-    QRectF rangeAbove_mm() const override;
-    QRectF rangeSide_mm() const override;
-    bool drawsTools() const override { return true; }
+    FlatFrame frame() const override;
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                const SceneState& state) const override;
-    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override {
-        return forceDial(setup, state.exercise.of<simulation::PalpationCues>());
+    ForceBars bars(const SceneSetup& setup, const SceneState& state) const override {
+        return {forceDial(setup, state.exercise.of<simulation::PalpationCues>())};
     }
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
@@ -48,6 +46,8 @@ public:
     double lineStep_mm() const { return m_lineStep_mm; }
 
 private:
+    QRectF above_mm() const;
+    QRectF side_mm() const;
     void paintRelief();
     void findHeightLines();
     void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

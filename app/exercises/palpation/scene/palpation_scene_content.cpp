@@ -93,30 +93,24 @@ double PalpationContent::fieldRadius_m() const {
     return palpationField_m(m_parameters);
 }
 
-double PalpationContent::planeHeight_m() const {
-    return std::max(rimHeight_m(m_surface, fieldRadius_m() + kOpening_m),
-                    rimHeight_m(m_surface, fieldRadius_m() + kUnderDrape_m));
+ContentFrame PalpationContent::frame() const {
+    const double plane_m = std::max(rimHeight_m(m_surface, fieldRadius_m() + kOpening_m),
+                                    rimHeight_m(m_surface, fieldRadius_m() + kUnderDrape_m));
+    return {.fieldRadius_m = fieldRadius_m(),
+            .planeHeight_m = plane_m,
+            .roomAbove_m = std::max(0.0, m_surface.highest_m() - plane_m) + 0.018,
+            .elevation_rad = kElevation_rad,
+            .ownTools = true};
 }
 
-double PalpationContent::roomAbove_m() const {
-    return std::max(0.0, m_surface.highest_m() - planeHeight_m()) + 0.018;
-}
-
-double PalpationContent::elevation_rad() const {
-    return kElevation_rad;
-}
-
-void PalpationContent::putTranslucent(Qt3DRender::QLayer* layer) {
-    m_ghost->putTranslucent(layer);
-    for (Finger* finger : m_fingers)
-        finger->putTranslucent(layer);
-    m_card->addComponent(layer);
-}
-
-void PalpationContent::putOver(Qt3DRender::QLayer* layer) {
-    for (Finger* finger : m_fingers)
-        finger->putOver(layer);
-    m_pins->putOver(layer);
+void PalpationContent::putOn(const SceneLayers& layers) {
+    m_ghost->putTranslucent(layers.translucent);
+    for (Finger* finger : m_fingers) {
+        finger->putTranslucent(layers.translucent);
+        finger->putOver(layers.over);
+    }
+    m_card->addComponent(layers.translucent);
+    m_pins->putOver(layers.over);
 }
 
 Qt3DRender::QEffect* PalpationContent::look(bool map) const {

@@ -24,19 +24,15 @@ public:
     double groundHeight_m(double x_m, double y_m) const override {
         return m_surface.heightAt({x_m, y_m}).z_m;
     }
-    double fieldRadius_m() const override;
-    double planeHeight_m() const override;
-    double roomAbove_m() const override;
-    double elevation_rad() const override;
-    bool drawsTools() const override { return true; }
-    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override {
-        return forceDial(setup, state.exercise.of<simulation::PalpationCues>());
+    ContentFrame frame() const override;
+    ForceBars bars(const SceneSetup& setup, const SceneState& state) const override {
+        return {forceDial(setup, state.exercise.of<simulation::PalpationCues>())};
     }
-    void putTranslucent(Qt3DRender::QLayer* layer) override;
-    void putOver(Qt3DRender::QLayer* layer) override;
+    void putOn(const SceneLayers& layers) override;
     void setPicture(const QSize& size_px, double ratio) override { m_card->setPicture(size_px, ratio); }
 
 private:
+    double fieldRadius_m() const;
     Qt3DRender::QParameter* parameter(const char* name, const QVariant& value);
     void makeTissue();
     void chooseLook();

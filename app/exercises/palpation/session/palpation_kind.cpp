@@ -119,13 +119,12 @@ bool wasMoved(const scoring::TrialTrace& trial) {
 
 } // namespace
 
-int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const {
-    return parametersOf(level).tools();
-}
-
-FingersOfHand PalpationKind::fingers(const catalogue::ExerciseLevel& level) const {
+LevelTools PalpationKind::tools(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
-    return {p.fingers, p.fingerSpacing_m, p.pinch ? p.pinch->widest_rad : 0.0};
+    return {.count = p.tools(),
+            .perHand = p.fingers,
+            .spacing_m = p.fingerSpacing_m,
+            .widestJaw_rad = p.pinch ? p.pinch->widest_rad : 0.0};
 }
 
 devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {

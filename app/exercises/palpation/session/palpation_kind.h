@@ -9,11 +9,9 @@ namespace chiron::session {
 class PalpationKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "palpation"; }
-    std::string_view mechanism() const noexcept override { return "fingertip_arm"; }
-    std::vector<std::string_view> mechanisms() const override { return {"fingertip_arm", "gimbal_hprd"}; }
-    bool traceEndIsMark() const noexcept override { return false; } ///< a mark is one of several findings
-    FingersOfHand fingers(const catalogue::ExerciseLevel& level) const override; ///< a jaw for a pinch
-    int toolCount(const catalogue::ExerciseLevel& level) const override;
+    std::span<const std::string_view> mechanisms() const noexcept override { return kMechanisms; }
+    MarkRole markRole() const noexcept override { return MarkRole::oneOfSeveral; } ///< one of its findings
+    LevelTools tools(const catalogue::ExerciseLevel& level) const override;        ///< a jaw for a pinch
     /// Two hands come from the right (tool 0 on) and from the left, over the middles of the two halves of the
     /// search area; a single hand is over the middle. A hand's second finger is beside its first, along +x (a
     /// right hand's middle finger, a left hand's index finger). On P3's arm both fingers of a hand are at the
@@ -57,6 +55,9 @@ public:
     }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+
+private:
+    static constexpr std::array<std::string_view, 2> kMechanisms{"fingertip_arm", devices::kGimbalHprd};
 };
 
 } // namespace chiron::session

@@ -31,6 +31,23 @@ private:
     std::vector<report::ApexError> m_errors;
 };
 
+class MarkBesideApex final : public MarkAnswer {
+public:
+    // Uses the same error as the scores: the lateral distance from the axis through the ball's centre, for
+    // marks in contact only.
+    QString markWords(const session::TrialObject& truth, const session::LiveSample& at,
+                      const QLocale& locale) const override {
+        const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(),
+                                           static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());
+        const QString mm = locale.toString(1e3 * beside_m, 'f', 1);
+        if (beside_m > truth.radius_m)
+            return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
+        if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
+            return AnswerTexts::tr("Not counted: mark while you touch the sphere");
+        return AnswerTexts::tr("%1 mm from the top").arg(mm);
+    }
+};
+
 class ApexLayer final : public PlaybackLayer {
 public:
     QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double,
@@ -55,18 +72,8 @@ std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLeve
     return std::make_unique<PointPart>(level, std::move(around));
 }
 
-// Uses the same error as the scores: the lateral distance from the axis through the ball's centre, for marks
-// in contact only.
-QString SphereApexFace::markWords(const session::TrialObject& truth, const session::LiveSample& at,
-                                  const QLocale& locale) const {
-    const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(),
-                                       static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());
-    const QString mm = locale.toString(1e3 * beside_m, 'f', 1);
-    if (beside_m > truth.radius_m)
-        return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
-    if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
-        return AnswerTexts::tr("Not counted: mark while you touch the sphere");
-    return AnswerTexts::tr("%1 mm from the top").arg(mm);
+std::unique_ptr<TrialAnswer> SphereApexFace::trialAnswer() const {
+    return std::make_unique<MarkBesideApex>();
 }
 
 QString SphereApexFace::debriefTitle() const {

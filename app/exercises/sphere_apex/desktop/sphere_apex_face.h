@@ -13,8 +13,7 @@ public:
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;
-    QString markWords(const session::TrialObject& truth, const session::LiveSample& at,
-                      const QLocale& locale) const override;
+    std::unique_ptr<TrialAnswer> trialAnswer() const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level,

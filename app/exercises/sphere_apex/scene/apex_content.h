@@ -18,9 +18,11 @@ public:
     void show(const SceneState& state) override;
     void warm() override;
     double groundHeight_m(double x_m, double y_m) const override { return m_surface.height_m(x_m, y_m); }
-    double fieldRadius_m() const override { return m_parameters.workspaceRadius_m; }
-    double planeHeight_m() const override { return m_parameters.planeHeight_m; }
-    double roomAbove_m() const override { return m_parameters.radius_m + 0.022; }
+    ContentFrame frame() const override {
+        return {.fieldRadius_m = m_parameters.workspaceRadius_m,
+                .planeHeight_m = m_parameters.planeHeight_m,
+                .roomAbove_m = m_parameters.radius_m + 0.022};
+    }
 
 private:
     void chooseLook();

@@ -32,15 +32,11 @@ double pressOf(const SceneSetup& setup, const ApexSurface& surface, const ToolVi
 
 } // namespace
 
-QRectF FlatApex::rangeAbove_mm() const {
-    const double reach = m_parameters.workspaceRadius_m * 1e3 + 8.0;
-    return {-reach, -reach, 2.0 * reach, 2.0 * reach};
-}
-
-QRectF FlatApex::rangeSide_mm() const {
+FlatFrame FlatApex::frame() const {
     const double reach = m_parameters.workspaceRadius_m * 1e3 + 8.0;
     const double plane = m_parameters.planeHeight_m * 1e3;
-    return {-reach, plane - 16.0, 2.0 * reach, 16.0 + m_parameters.radius_m * 1e3 + 46.0};
+    return {{-reach, -reach, 2.0 * reach, 2.0 * reach},
+            {-reach, plane - 16.0, 2.0 * reach, 16.0 + m_parameters.radius_m * 1e3 + 46.0}};
 }
 
 double FlatApex::groundHeight_m(const SceneState& state, double x_m, double y_m) const {

@@ -17,8 +17,7 @@ public:
     static std::vector<std::string> marks(const simulation::SphereApexParameters& parameters,
                                           const MarkedScene& scene);
 
-    QRectF rangeAbove_mm() const override;
-    QRectF rangeSide_mm() const override;
+    FlatFrame frame() const override;
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                const SceneState& state) const override;
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;

@@ -9,7 +9,7 @@ namespace chiron::session {
 class SphereApexKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "sphere_apex"; }
-    bool markEndsTrial() const noexcept override { return true; }
+    MarkRole markRole() const noexcept override { return MarkRole::endsTrial; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,

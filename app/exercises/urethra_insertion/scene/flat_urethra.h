@@ -20,8 +20,7 @@ public:
     bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,
                     const SceneState& state) const override;
     QString name() const override;
-    QRectF rangeAbove_mm() const override { return {-1.0, -1.0, 2.0, 2.0}; }
-    QRectF rangeSide_mm() const override { return {-1.0, -1.0, 2.0, 2.0}; }
+    FlatFrame frame() const override { return {}; } ///< it has no panels
     void paint(QPainter&, const FlatPanel&, const SceneSetup&, const SceneState&) const override {}
     double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
 

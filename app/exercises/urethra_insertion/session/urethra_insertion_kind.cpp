@@ -122,8 +122,8 @@ std::vector<LimitedMetric> UrethraInsertionKind::limitedMetrics(const catalogue:
     return {{.metric = "lateral_max", .own = parametersOf(level).lateralLimit_N}};
 }
 
-double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& level) const {
-    return parametersOf(level).maximumTorque_Nm;
+SessionCaps UrethraInsertionKind::caps(const catalogue::ExerciseLevel& level) const {
+    return {.torque_Nm = parametersOf(level).maximumTorque_Nm, .knee = 0.2};
 }
 
 std::uint64_t UrethraInsertionKind::tickLimit(const catalogue::ExerciseLevel& level) const {

@@ -9,10 +9,7 @@ namespace chiron::session {
 class UrethraInsertionKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "urethra_insertion"; }
-    std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
-    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling. With this knee and a cap of 4
-    /// N, forces up to 3.2 N are rendered unchanged, and a force of 4 N as 3.7 N.
-    double capKnee() const noexcept override { return 0.2; }
+    std::span<const std::string_view> mechanisms() const noexcept override { return kMechanisms; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
     /// On the straight line in front of the entrance.
     std::optional<core::Vec3> toolStart_W(const catalogue::ExerciseLevel& level,
@@ -26,7 +23,9 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::vector<LimitedMetric> limitedMetrics(const catalogue::ExerciseLevel& level) const override;
-    double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
+    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling. With this knee and a cap of 4
+    /// N, forces up to 3.2 N are rendered unchanged, and a force of 4 N as 3.7 N.
+    SessionCaps caps(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// Fills `trial.own` (scoring::InsertionSeries) from tool 0's poses and tissue wrench with the level's
     /// own geometry, so that proximity, alignment and stage follow from stored channels alone. Left empty if
@@ -44,7 +43,11 @@ public:
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;
+    /// From the entrance, along the canal.
     std::optional<double> depthAt_m(const PlaybackTrack& track, double t_s) const override;
+
+private:
+    static constexpr std::array<std::string_view, 1> kMechanisms{"five_bar_spherical"};
 };
 
 } // namespace chiron::session
