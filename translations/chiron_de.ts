@@ -565,7 +565,7 @@
     </message>
     <message>
         <source>Another condition has the same name. Tables and figures could not tell them apart.</source>
-        <translation>Eine andere Bedingung heißt ebenso. In Tabellen und Abbildungen wären sie nicht zu unterscheiden.</translation>
+        <translation>Eine andere Bedingung hat denselben Namen. In Tabellen und Abbildungen wären sie nicht zu unterscheiden.</translation>
     </message>
     <message>
         <source>The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.</source>
@@ -802,7 +802,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>This device renders no force: the force is shown beside the scene.</source>
-        <translation>Dieses Gerät gibt keine Kraft wieder: Die Kraft wird neben der Szene gezeigt.</translation>
+        <translation>Dieses Gerät gibt keine Kraft aus: Die Kraft wird neben der Szene gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -1105,7 +1105,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.</source>
-        <translation>Jedes Streifen gilt als Berührung, sodass Teilnehmende antworten können, ohne etwas gefühlt zu haben. Üblich sind %1 N.</translation>
+        <translation>Schon eine flüchtige Berührung zählt, sodass Teilnehmende antworten können, ohne etwas gefühlt zu haben. Üblich sind %1 N.</translation>
     </message>
     <message>
         <source>Masking sound</source>
@@ -1992,7 +1992,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How deep the tip went, counted up to the goal of this level.</source>
-        <translation>Wie tief die Spitze kam, gezählt bis zum Ziel dieser Stufe.</translation>
+        <translation>Wie tief die Spitze kam, höchstens bis zum Ziel dieser Stufe gerechnet.</translation>
     </message>
     <message>
         <source>the recording has no insertion data</source>
@@ -2308,7 +2308,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How much of the search area was pressed hard enough to find something; the mean over the trials.</source>
-        <translation>Wie viel des Suchfelds fest genug gedrückt wurde, um etwas zu finden; Mittel über die Durchgänge.</translation>
+        <translation>Anteil des Suchfelds, der fest genug gedrückt wurde, um etwas zu finden; Mittel über die Durchgänge.</translation>
     </message>
     <message>
         <source>Time in the force band</source>
@@ -2396,7 +2396,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How much of the time the pull on the fold of tissue was in its band, once the fold was held back, in %; the mean over all trials.</source>
-        <translation>Wie viel der Zeit der Zug an der Gewebefalte im Zielbereich lag, sobald sie zurückgehalten wurde, in %; Mittel über alle Durchgänge.</translation>
+        <translation>Anteil der Zeit, in der der Zug an der Gewebefalte im Zielbereich lag, sobald sie zurückgehalten wurde, in %; Mittel über alle Durchgänge.</translation>
     </message>
     <message>
         <source>Largest retraction</source>
@@ -2793,7 +2793,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>broken off when the participant withdrew</source>
-        <translation>abgebrochen, als sich die Person zurückzog</translation>
+        <translation>abgebrochen, als die Person ihre Teilnahme zurückzog</translation>
     </message>
     <message>
         <source>not begun, and the study is closed</source>
@@ -2817,7 +2817,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Press Run and resume “%1” at the trial where it stopped. If this participant does not come back, withdraw them: what they did is kept.</source>
-        <translation>Drücken Sie „Durchführen“ und setzen Sie „%1“ bei dem Durchgang fort, bei dem unterbrochen wurde. Kommt diese Person nicht wieder, ziehen Sie sie zurück: Was sie getan hat, bleibt erhalten.</translation>
+        <translation>Drücken Sie „Durchführen“ und setzen Sie „%1“ bei dem Durchgang fort, bei dem unterbrochen wurde. Kommt diese Person nicht wieder, ziehen Sie ihre Teilnahme zurück: Was sie getan hat, bleibt erhalten.</translation>
     </message>
     <message>
         <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
@@ -2837,7 +2837,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Nothing is left to do: this participant has withdrawn. If somebody else is to take their place, enrol that person.</source>
-        <translation>Es ist nichts mehr zu tun: Diese Person hat sich zurückgezogen. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
+        <translation>Es ist nichts mehr zu tun: Diese Person nimmt nicht mehr teil. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
     </message>
     <message>
         <source>%1 of %2 done</source>
@@ -3009,7 +3009,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
-        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; ein Streifen genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; eine flüchtige Berührung genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
@@ -3069,12 +3069,15 @@ Einzelheiten: %2</translation>
         <translation>Alle %1 simulierten Läufe ergaben einen brauchbaren Wert.</translation>
     </message>
     <message>
-        <source>%1 of %2 simulated runs gave no usable value; groups leave such runs out.</source>
-        <translation>%1 von %2 simulierten Läufen ergaben keinen brauchbaren Wert; Gruppen lassen solche Läufe aus.</translation>
+        <source>With about %1 trials or more, fewer than 1 run in 20 gives no usable value.</source>
+        <translation>Ab etwa %1 Durchgängen bleibt weniger als 1 Lauf von 20 ohne brauchbaren Wert.</translation>
     </message>
-    <message>
-        <source>From about %1 trials on, fewer than 1 run in 20 gives none.</source>
-        <translation>Ab etwa %1 Durchgängen ergibt weniger als 1 Lauf von 20 keinen.</translation>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no usable value; such runs are left out of group values.</source>
+        <translation>
+            <numerusform>%n von %1 simulierten Läufen ergab keinen brauchbaren Wert; solche Läufe zählen nicht in Gruppenwerten.</numerusform>
+            <numerusform>%n von %1 simulierten Läufen ergaben keinen brauchbaren Wert; solche Läufe zählen nicht in Gruppenwerten.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4005,12 +4008,8 @@ Einzelheiten: %2</translation>
         <translation>Der Lauf endet spätestens nach dieser Zahl von Durchgängen; 0: unbegrenzt. Läufe mit weniger als 20 Durchgängen werden als kurz gekennzeichnet, und viele ergeben keinen brauchbaren Wert.</translation>
     </message>
     <message>
-        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where a precision ends the run.</source>
-        <translation>Der Lauf endet nicht früher, so sicher die Schätzung auch ist; 0: kein Mindestwert. Das zählt nur, wo eine Genauigkeit den Lauf beendet.</translation>
-    </message>
-    <message>
-        <source>A level ends once there are this many right answers more or fewer than expected. Larger values take longer and make the decision more reliable.</source>
-        <translation>Eine Stufe endet, sobald es so viele richtige Antworten mehr oder weniger als erwartet gibt. Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
+        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where the run stops at a set precision.</source>
+        <translation>Der Lauf endet nicht früher, so sicher die Schätzung auch ist; 0: kein Mindestwert. Das ist nur von Bedeutung, wenn der Lauf bei einer festgelegten Genauigkeit endet.</translation>
     </message>
     <message>
         <source>Uncertainty of the expectation</source>
@@ -4030,11 +4029,11 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How the share of right answers is assumed to grow with the difference.</source>
-        <translation>Wie der Anteil richtiger Antworten mit dem Unterschied zunehmen soll; das ist eine Annahme.</translation>
+        <translation>Annahme darüber, wie der Anteil richtiger Antworten mit dem Unterschied zunimmt.</translation>
     </message>
     <message>
-        <source>The same difference is shown at most this many times in a row; 0: no limit.</source>
-        <translation>So oft kommt derselbe Unterschied höchstens hintereinander vor; 0: unbegrenzt.</translation>
+        <source>The same difference is presented at most this many times in a row; 0: no limit.</source>
+        <translation>Derselbe Unterschied kommt höchstens so oft hintereinander vor; 0: unbegrenzt.</translation>
     </message>
     <message>
         <source>Share of trials with the largest difference, which show whether a participant pays attention.</source>
@@ -4045,20 +4044,20 @@ Einzelheiten: %2</translation>
         <translation>Mögliche Grenzen: Zwei Objekte, deren gespürter Unterschied kleiner ist, werden gleich genannt. In Standardabweichungen des Gespürten.</translation>
     </message>
     <message>
-        <source>Just noticeable differences between these two values are considered possible.</source>
-        <translation>Unterschiedsschwellen zwischen diesen beiden Werten gelten als möglich.</translation>
+        <source>The just noticeable difference is assumed to lie between these two values.</source>
+        <translation>Es wird angenommen, dass die Unterschiedsschwelle zwischen diesen beiden Werten liegt.</translation>
     </message>
     <message>
         <source>After this many right answers in a row the next trial is harder; with 3 the run converges at about 80 % right answers.</source>
-        <translation>Nach so vielen richtigen Antworten hintereinander wird der nächste Durchgang schwerer; mit 3 läuft es auf etwa 80 % richtige Antworten hinaus.</translation>
+        <translation>Nach so vielen richtigen Antworten hintereinander wird der nächste Durchgang schwerer; mit 3 konvergiert der Lauf bei etwa 80 % richtigen Antworten.</translation>
     </message>
     <message>
         <source>After this many wrong answers in a row the next trial is easier.</source>
         <translation>Nach so vielen falschen Antworten hintereinander wird der nächste Durchgang leichter.</translation>
     </message>
     <message>
-        <source>The first is used until the first reversal, and the next one from each reversal on; the last one is kept.</source>
-        <translation>Der erste gilt bis zur ersten Umkehrung, ab jeder Umkehrung der nächste; der letzte bleibt.</translation>
+        <source>The first step is used until the first reversal, then the next one after each reversal; the last one stays in use.</source>
+        <translation>Der erste gilt bis zur ersten Umkehrung, nach jeder Umkehrung der nächste; der letzte gilt weiter.</translation>
     </message>
     <message>
         <source>In the same order as the steps up; none: the same as the steps up.</source>
@@ -4067,6 +4066,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
         <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort den nächsten Durchgang schwerer, sodass der Lauf schneller in die Nähe der Schwelle kommt.</translation>
+    </message>
+    <message>
+        <source>A level ends once the number of right answers differs from the expected one by more than this. Larger values take longer and make the decision more reliable.</source>
+        <translation>Eine Stufe endet, sobald die Zahl richtiger Antworten um mehr als diesen Wert von der erwarteten abweicht. Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
     </message>
 </context>
 <context>
@@ -5391,9 +5394,9 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Die Sicherungen liegen auf derselben Festplatte wie der Standort: Fällt sie aus, ist beides verloren. Wählen Sie einen Ordner auf einer anderen Festplatte, einem USB-Laufwerk oder im Netzwerk.</translation>
     </message>
     <message>
-        <source>The automatic backup %1 was not made. It will be tried again; make one yourself until then.
+        <source>An automatic backup failed %1. It will be tried again; in the meantime, make one yourself.
 Details: %2</source>
-        <translation>Die automatische Sicherung (%1) wurde nicht erstellt. Es wird erneut versucht; erstellen Sie bis dahin selbst eine.
+        <translation>Eine automatische Sicherung ist fehlgeschlagen (%1). Es wird erneut versucht; erstellen Sie in der Zwischenzeit selbst eine.
 Einzelheiten: %2</translation>
     </message>
 </context>
@@ -5469,7 +5472,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
-        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
+        <translation>Die Leertaste pausiert. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; ein zweites Esc fragt, ob Sie die Sitzung beenden möchten.</translation>
     </message>
     <message>
         <source>Press + and − until both seem the same, then Enter.</source>
@@ -5518,8 +5521,8 @@ Einzelheiten: %2</translation>
 <context>
     <name>StudyDevice</name>
     <message>
-        <source>The device of this station renders no force: objects are shown, not felt. Groups and comparisons leave such runs out, unless you include them under Data.</source>
-        <translation>Das Gerät dieses Arbeitsplatzes gibt keine Kraft aus: Objekte werden gezeigt, nicht gefühlt. Gruppen und Vergleiche lassen solche Läufe aus, außer Sie nehmen sie unter „Daten“ auf.</translation>
+        <source>The device of this station renders no force: objects are shown, not felt. Such runs are left out of groups and comparisons unless you include them under Data.</source>
+        <translation>Das Gerät dieses Arbeitsplatzes gibt keine Kraft aus: Objekte werden gezeigt, nicht gefühlt. Solche Läufe zählen nicht in Gruppen und Vergleichen, es sei denn, Sie beziehen sie unter „Daten“ ein.</translation>
     </message>
 </context>
 <context>
@@ -6061,8 +6064,8 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>%n participant(s) who withdrew are left out.</source>
         <translation>
-            <numerusform>%n Person, die zurückgetreten ist, ist ausgelassen.</numerusform>
-            <numerusform>%n Personen, die zurückgetreten sind, sind ausgelassen.</numerusform>
+            <numerusform>%n Person, die ihre Teilnahme zurückgezogen hat, zählt nicht mit.</numerusform>
+            <numerusform>%n Personen, die ihre Teilnahme zurückgezogen haben, zählen nicht mit.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6421,8 +6424,8 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>Shown, not felt: %n trial(s) were done on a device that renders no force.</source>
         <translation>
-            <numerusform>Gezeigt, nicht gefühlt: %n Durchgang lief auf einem Gerät, das keine Kraft wiedergibt.</numerusform>
-            <numerusform>Gezeigt, nicht gefühlt: %n Durchgänge liefen auf einem Gerät, das keine Kraft wiedergibt.</numerusform>
+            <numerusform>Gezeigt, nicht gefühlt: %n Durchgang lief auf einem Gerät, das keine Kraft ausgibt.</numerusform>
+            <numerusform>Gezeigt, nicht gefühlt: %n Durchgänge liefen auf einem Gerät, das keine Kraft ausgibt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6481,7 +6484,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.</source>
-        <translation>Wie viel des Ergebnisses aus der A-priori-Verteilung stammt: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
+        <translation>Zu welchem Anteil das Ergebnis aus der A-priori-Verteilung stammt: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
     </message>
     <message>
         <source>Prior influence</source>
@@ -6533,7 +6536,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.</source>
-        <translation>%1: Objekte wurden gezeigt, nicht gefühlt. Solche Läufe bleiben außen vor, wenn sie nicht ausdrücklich einbezogen werden.</translation>
+        <translation>%1: Objekte wurden gezeigt, nicht gefühlt. Solche Läufe zählen nicht, es sei denn, sie werden ausdrücklich einbezogen.</translation>
     </message>
     <message>
         <source>%1: simulated, and therefore left out of a group of people.</source>
@@ -6541,7 +6544,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>%1: withdrawn, and therefore left out.</source>
-        <translation>%1: zurückgezogen und deshalb nicht einbezogen.</translation>
+        <translation>%1: Teilnahme zurückgezogen, deshalb nicht einbezogen.</translation>
     </message>
     <message>
         <source>“%1” and “%2” are not compared yet: “%3” has no group value.</source>
@@ -6581,7 +6584,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>withdrawn</source>
-        <translation>zurückgezogen</translation>
+        <translation>Teilnahme zurückgezogen</translation>
     </message>
     <message>
         <source>%1 is not in this comparison (“%2”: %3; “%4”: %5).</source>
@@ -6683,30 +6686,6 @@ Einzelheiten: %2</translation>
         <translation>%1: Die Antworten schließen eine Schwelle weit über dem größten dargebotenen Unterschied nicht aus.</translation>
     </message>
     <message>
-        <source>%1: the answers do not tell how small or how large the threshold is.</source>
-        <translation>%1: Die Antworten sagen nicht, wie klein oder wie groß die Schwelle ist.</translation>
-    </message>
-    <message>
-        <source>The answers are too few to measure it: copy the study and plan more trials.</source>
-        <translation>Für eine Messung sind es zu wenige Antworten: Kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
-    </message>
-    <message>
-        <source>The study&apos;s table has larger differences, which were not presented. To measure it, copy the study and plan more trials or a larger first difference.</source>
-        <translation>Die Tabelle der Studie hat größere Unterschiede, die nicht dargeboten wurden. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder einen größeren ersten Unterschied.</translation>
-    </message>
-    <message>
-        <source>The study&apos;s table has smaller differences, which were not presented. To measure it, copy the study and plan more trials.</source>
-        <translation>Die Tabelle der Studie hat kleinere Unterschiede, die nicht dargeboten wurden. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
-    </message>
-    <message>
-        <source>To measure it, copy the study and plan larger differences.</source>
-        <translation>Um sie zu messen, kopieren Sie die Studie und planen Sie größere Unterschiede.</translation>
-    </message>
-    <message>
-        <source>To measure it, copy the study and plan smaller differences.</source>
-        <translation>Um sie zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
-    </message>
-    <message>
         <source>%1: the answers give no value, and the run cannot be resumed because the study is closed.</source>
         <translation>%1: Die Antworten ergeben keinen Wert, und der Lauf kann nicht fortgesetzt werden, weil die Studie geschlossen ist.</translation>
     </message>
@@ -6719,16 +6698,8 @@ Einzelheiten: %2</translation>
         <translation>die Antworten ergeben noch keinen Wert</translation>
     </message>
     <message>
-        <source>a much larger threshold is not ruled out</source>
-        <translation>eine viel größere Schwelle ist nicht ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>the answers do not tell how small or how large it is</source>
-        <translation>die Antworten sagen nicht, wie klein oder wie groß der Wert ist</translation>
-    </message>
-    <message>
-        <source>Which runs count: every run whose answers rule out a threshold far below the smallest difference presented and one far above the largest (as a rule a tenth of it, and ten times it), whatever other warnings it has and whether or not it is finished. “Rule out” means that such a threshold explains the answers less than 15 % as well as the best one does. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten eine Schwelle weit unter dem kleinsten dargebotenen Unterschied und eine weit über dem größten ausschließen (in der Regel ein Zehntel davon und das Zehnfache), welche anderen Warnungen er auch hat und ob er beendet ist oder nicht. „Ausschließen“ heißt, dass eine solche Schwelle die Antworten weniger als 15 % so gut erklärt wie die beste. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten nicht beides ausschließen oder keinen Wert ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie auf), zurückgetretene Teilnehmende und simulierte Teilnehmende, wo es Menschen gibt.</translation>
+        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). Other warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Ein Lauf zählt, wenn seine Antworten zweierlei ausschließen: eine Schwelle weit unter dem kleinsten dargebotenen Unterschied (meist ein Zehntel davon) und eine weit über dem größten (meist das Zehnfache). Andere Warnungen spielen keine Rolle, ebenso wenig, ob der Lauf beendet ist. „Ausschließen“ heißt: Mit einer solchen Schwelle sind die Antworten nicht einmal 15 % so wahrscheinlich wie mit der besten. In Gruppen und ebenso in Vergleichen zählen nicht: Läufe, deren Antworten nicht beides ausschließen oder keinen Wert ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (es sei denn, Sie beziehen sie ein), Personen, die ihre Teilnahme zurückgezogen haben, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
     </message>
     <message>
         <source>no value yet</source>
@@ -6751,32 +6722,12 @@ Einzelheiten: %2</translation>
         <translation>zwei Gruppen von %1 und %2 Teilnehmenden</translation>
     </message>
     <message>
-        <source>With %1, even a ratio of 10 could not have been shown.</source>
-        <translation>Mit %1 hätte sich selbst ein Verhältnis von 10 nicht zeigen lassen.</translation>
-    </message>
-    <message>
-        <source>With %1, a ratio below %2 could not have been shown.</source>
-        <translation>Mit %1 hätte sich ein Verhältnis unter %2 nicht zeigen lassen.</translation>
-    </message>
-    <message>
         <source>Compared in both conditions: %1.</source>
         <translation>In beiden Bedingungen verglichen: %1.</translation>
     </message>
     <message>
-        <source>Compared in “%1” alone: %2; in “%3” alone: %4.</source>
-        <translation>Verglichen nur in „%1“: %2; nur in „%3“: %4.</translation>
-    </message>
-    <message>
-        <source>Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval and no p.</source>
-        <translation>Ob sich die Schwellen von „%1“ und „%2“ unterscheiden, lässt sich nicht sagen: Es gibt kein Intervall und kein p.</translation>
-    </message>
-    <message>
         <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
         <translation>Zwischen „%1“ und „%2“ zeigt sich kein Unterschied (Verhältnis %3, 95-%-Intervall: %4; %5).</translation>
-    </message>
-    <message>
-        <source>The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
-        <translation>Die Schwelle von „%1“ ist %2-mal so groß wie die von „%3“ (95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
         <source>unbounded in practice: too few participants</source>
@@ -6787,12 +6738,80 @@ Einzelheiten: %2</translation>
         <translation>Jede Antwort war richtig: Die Schwelle kann unter dem kleinsten dargebotenen Unterschied liegen; wie weit darunter, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
-        <translation>Es sind zu wenige Antworten, um sie von Raten zu unterscheiden: Nur mehr Durchgänge können zeigen, ob der Unterschied wahrgenommen wurde.</translation>
-    </message>
-    <message>
         <source>Interrupted</source>
         <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far below the smallest difference presented.</source>
+        <translation>%1: Die Antworten schließen eine Schwelle weit unter dem kleinsten dargebotenen Unterschied nicht aus.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far below the smallest difference presented, nor one far above the largest.</source>
+        <translation>%1: Die Antworten schließen weder eine Schwelle weit unter dem kleinsten dargebotenen Unterschied noch eine weit über dem größten aus.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to measure the threshold: copy the study and plan more trials.</source>
+        <translation>Um die Schwelle zu messen, sind es zu wenige Antworten: Kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has larger differences, which were not presented. To measure the threshold, copy the study and plan more trials or a larger first difference.</source>
+        <translation>Die Tabelle der Studie hat größere Unterschiede, die nicht dargeboten wurden. Um die Schwelle zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder einen größeren ersten Unterschied.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has smaller differences, which were not presented. To measure the threshold, copy the study and plan more trials.</source>
+        <translation>Die Tabelle der Studie hat kleinere Unterschiede, die nicht dargeboten wurden. Um die Schwelle zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>To measure the threshold, copy the study and plan larger differences.</source>
+        <translation>Um die Schwelle zu messen, kopieren Sie die Studie und planen Sie größere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>To measure the threshold, copy the study and plan smaller differences.</source>
+        <translation>Um die Schwelle zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>Only one difference was presented. To measure the threshold, copy the study and plan several.</source>
+        <translation>Es wurde nur ein Unterschied dargeboten. Um die Schwelle zu messen, kopieren Sie die Studie und planen Sie mehrere.</translation>
+    </message>
+    <message>
+        <source>the threshold may be far above the largest difference</source>
+        <translation>die Schwelle liegt vielleicht weit über dem größten Unterschied</translation>
+    </message>
+    <message>
+        <source>the answers leave the threshold open</source>
+        <translation>die Antworten lassen die Schwelle offen</translation>
+    </message>
+    <message>
+        <source>With %1, even a tenfold difference remains possible.</source>
+        <translation>Mit %1 bleibt sogar ein zehnfacher Unterschied möglich.</translation>
+    </message>
+    <message>
+        <source>With %1, every ratio in this interval remains possible: it is not shown that the two are alike.</source>
+        <translation>Mit %1 bleibt jedes Verhältnis in diesem Intervall möglich: Dass beide gleich sind, ist nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Two groups are compared: %2, with a value only in “%1”, and %4, with a value only in “%3”.</source>
+        <translation>Verglichen werden zwei Gruppen: %2 mit einem Wert nur in „%1“ und %4 mit einem Wert nur in „%3“.</translation>
+    </message>
+    <message>
+        <source>It is not known whether the Weber fractions of “%1” and “%2” differ: these values give no interval and no p.</source>
+        <translation>Ob sich die Weber-Brüche von „%1“ und „%2“ unterscheiden, ist nicht bekannt: Diese Werte ergeben weder ein Intervall noch ein p.</translation>
+    </message>
+    <message>
+        <source>The interval is that of this comparison alone: once p is adjusted for all comparisons, the difference is not significant.</source>
+        <translation>Das Intervall gilt für diesen Vergleich allein: Ist p für alle Vergleiche adjustiert, ist der Unterschied nicht signifikant.</translation>
+    </message>
+    <message>
+        <source>The Weber fraction of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
+        <translation>Der Weber-Bruch von „%1“ ist %2-mal so groß wie der von „%3“ (95-%-Intervall: %4; %5).</translation>
+    </message>
+    <message>
+        <source>unbounded in practice: participants are too few, or differ too much</source>
+        <translation>praktisch unbegrenzt: zu wenige oder zu unterschiedliche Teilnehmende</translation>
+    </message>
+    <message>
+        <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
+        <translation>Es sind zu wenige Antworten, um zu sagen, ob sie besser als geraten sind. Mehr Durchgänge würden es zeigen.</translation>
     </message>
 </context>
 <context>
@@ -7519,7 +7538,7 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Das ist Ihr jetziges Passwort. Wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <source>Your password is changed. From your next login, only the new one is valid.</source>
+        <source>Your password has been changed. From your next login, only the new one is valid.</source>
         <translation>Ihr Passwort ist geändert. Ab der nächsten Anmeldung gilt nur noch das neue.</translation>
     </message>
     <message>
@@ -8485,7 +8504,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     </message>
     <message>
         <source>The time is recorded, and a checksum (SHA-256) that shows which text you have read. You may withdraw at any time.</source>
-        <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können jederzeit zurücktreten.</translation>
+        <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können Ihre Teilnahme jederzeit beenden.</translation>
     </message>
 </context>
 <context>
@@ -8889,8 +8908,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Der kleinste Unterschied muss unter dem größten liegen. Die Tabelle wurde nicht geändert.</translation>
     </message>
     <message>
-        <source>Objects with less of the attribute than the reference are presented as well.</source>
-        <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz werden gezeigt.</translation>
+        <source>Objects whose attribute is weaker than the reference&apos;s are presented as well.</source>
+        <translation>Auch Objekte, bei denen die Eigenschaft schwächer ist als bei der Referenz, werden dargeboten.</translation>
     </message>
 </context>
 <context>
@@ -9295,7 +9314,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
     <message>
         <source>Stop …</source>
-        <translation>Anhalten …</translation>
+        <translation>Beenden …</translation>
     </message>
     <message>
         <source>Condition %1 (sealed)</source>
@@ -9427,23 +9446,23 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
+        <source>“%1” was not accepted: enter a number without a unit. The value is still %2.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine Zahl ohne Einheit ein. Es bleibt bei %2.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a value in %2. %3 is still set.</source>
+        <source>“%1” was not accepted: enter a value in %2. The value is still %3.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie einen Wert in %2 ein. Es bleibt bei %3.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: it has more decimals than are kept here. %2 is still set.</source>
+        <source>“%1” was not accepted: it has more decimals than this field keeps. The value is still %2.</source>
         <translation>„%1“ wurde nicht übernommen: Hier werden weniger Nachkommastellen gespeichert. Es bleibt bei %2.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: choose a value from %2 to %3. %4 is still set.</source>
+        <source>“%1” was not accepted: choose a value from %2 to %3. The value is still %4.</source>
         <translation>„%1“ wurde nicht übernommen: Wählen Sie einen Wert von %2 bis %3. Es bleibt bei %4.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
+        <source>“%1” was not accepted: enter a whole number from %2 to %3. The value is still %4.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von %2 bis %3 ein. Es bleibt bei %4.</translation>
     </message>
     <message>
@@ -9451,11 +9470,11 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>%1 bis %2, meist %3.</translation>
     </message>
     <message>
-        <source>A number is needed here. %1 is still set.</source>
+        <source>A number is needed here. The value is still %1.</source>
         <translation>Hier wird eine Zahl gebraucht. Es bleibt bei %1.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <source>“%1” was not accepted: each number has to be from %2 to %3.</source>
         <translation>„%1“ wurde nicht übernommen: Jede Zahl muss von %2 bis %3 sein.</translation>
     </message>
 </context>
@@ -9915,10 +9934,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     <message>
         <source>%1 (%2 repeated)</source>
         <translation>%1 (%2 wiederholt)</translation>
-    </message>
-    <message>
-        <source>too few participants for a prediction</source>
-        <translation>zu wenige Personen für eine Vorhersage</translation>
     </message>
     <message>
         <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 % or less)</source>
@@ -10985,7 +11000,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     </message>
     <message>
         <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
-        <translation>Eine andere Studie heißt ebenso, und in Listen wären beide nicht zu unterscheiden. Wählen Sie einen anderen Titel.</translation>
+        <translation>Eine andere Studie hat denselben Titel; in Listen wären beide nicht zu unterscheiden. Wählen Sie einen anderen Titel.</translation>
     </message>
     <message>
         <source>A simple study: %1</source>
@@ -11225,8 +11240,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Planzeile</translation>
     </message>
     <message>
-        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so it need not be the order of enrolment.</source>
-        <translation>Die Zeile des Reihenfolgeplans (%1), von 1 an gezählt: Sie sagt, in welcher Reihenfolge diese Person die Bedingungen durchläuft. Wer aufgenommen wird, erhält die nächste freie Zeile, und die Zeile einer Person, die zurücktritt, wird wieder frei. Sie muss also nicht der Reihenfolge der Aufnahme entsprechen.</translation>
+        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so the rows need not follow the order of enrolment.</source>
+        <translation>Die Zeile des Reihenfolgeplans (%1), von 1 an gezählt: Sie sagt, in welcher Reihenfolge diese Person die Bedingungen durchläuft. Wer aufgenommen wird, erhält die nächste freie Zeile, und die Zeile einer Person, die ihre Teilnahme zurückzieht, wird wieder frei. Die Zeilen müssen also nicht der Reihenfolge der Aufnahme folgen.</translation>
     </message>
 </context>
 <context>
@@ -11833,12 +11848,12 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Gefühlte Kraft (N)</translation>
     </message>
     <message>
-        <source>Show less time, larger (+)</source>
-        <translation>Weniger Zeit zeigen, größer (+)</translation>
+        <source>Zoom in: show less time (+)</source>
+        <translation>Vergrößern: weniger Zeit zeigen (+)</translation>
     </message>
     <message>
-        <source>Show more time (-)</source>
-        <translation>Mehr Zeit zeigen (-)</translation>
+        <source>Zoom out: show more time (-)</source>
+        <translation>Verkleinern: mehr Zeit zeigen (-)</translation>
     </message>
     <message>
         <source>Show the whole session (0)</source>
@@ -12432,12 +12447,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Der größte Wert. Der eingelesene Entwurf verteilt diese Werte unregelmäßig; nach einer Änderung sind sie regelmäßig verteilt.</translation>
     </message>
     <message>
-        <source>Thresholds between these two values are considered possible.</source>
-        <translation>Schwellen zwischen diesen beiden Werten gelten als möglich.</translation>
+        <source>The threshold is assumed to lie between these two values.</source>
+        <translation>Es wird angenommen, dass die Schwelle zwischen diesen beiden Werten liegt.</translation>
     </message>
     <message>
-        <source>Spreads of the answers between these two values are considered possible.</source>
-        <translation>Streuungen der Antworten zwischen diesen beiden Werten gelten als möglich.</translation>
+        <source>The spread of the answers is assumed to lie between these two values.</source>
+        <translation>Es wird angenommen, dass die Streuung der Antworten zwischen diesen beiden Werten liegt.</translation>
     </message>
     <message>
         <source>Slopes that are considered possible: how steeply the share of right answers grows with the difference. Usually 1.5 to 7.</source>
@@ -12961,20 +12976,20 @@ Mit Tab gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich au
         <translation>Frage %1 entfernen</translation>
     </message>
     <message>
-        <source>Add an instrument …</source>
-        <translation>Instrument hinzufügen …</translation>
+        <source>Add a published questionnaire …</source>
+        <translation>Veröffentlichten Fragebogen hinzufügen …</translation>
     </message>
     <message>
         <source>Published questionnaires with their scores, and what is written down when a participant is enrolled</source>
         <translation>Veröffentlichte Fragebögen mit ihrer Auswertung und was bei der Aufnahme einer Person notiert wird</translation>
     </message>
     <message>
-        <source>The instruments could not be read.</source>
-        <translation>Die Instrumente konnten nicht gelesen werden.</translation>
+        <source>The published questionnaires could not be read.</source>
+        <translation>Die veröffentlichten Fragebögen konnten nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>Add an instrument</source>
-        <translation>Instrument hinzufügen</translation>
+        <source>Add a published questionnaire</source>
+        <translation>Veröffentlichten Fragebogen hinzufügen</translation>
     </message>
     <message>
         <source>when a participant is enrolled</source>
@@ -13849,7 +13864,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>The roles of %1 are changed.</source>
+        <source>The roles of %1 have been changed.</source>
         <translation>Die Rollen von %1 sind geändert.</translation>
     </message>
     <message>
@@ -13863,7 +13878,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
 %2</translation>
     </message>
     <message>
-        <source>Your roles are changed. The list on the left shows the screens that go with them.</source>
+        <source>Your roles have been changed. The list on the left shows the screens that go with them.</source>
         <translation>Ihre Rollen sind geändert. Die Liste links zeigt die zugehörigen Ansichten.</translation>
     </message>
 </context>
@@ -14178,7 +14193,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts. Die Teilnehmenden erfahren davon, wo es zu hören ist.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <source>“%1” was not accepted: enter a whole number from 0 to %2.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von 0 bis %2 ein.</translation>
     </message>
     <message>
@@ -14211,7 +14226,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     </message>
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
-        <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
+        <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einer flüchtigen Berührung antwortet. 0: jede Berührung zählt.</translation>
     </message>
     <message>
         <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
@@ -14222,8 +14237,8 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Bis zur Entblindung der Studie sieht die Versuchsleitung versiegelte Codes statt der Bedingungen.</translation>
     </message>
     <message>
-        <source>How far the measured force may be from the commanded one, root mean square.</source>
-        <translation>Wie weit die gemessene Kraft von der befohlenen abweichen darf, quadratisches Mittel.</translation>
+        <source>How far the measured force may be from the commanded one (root mean square).</source>
+        <translation>Wie weit die gemessene Kraft vom Sollwert abweichen darf (quadratisches Mittel).</translation>
     </message>
 </context>
 <context>
@@ -14745,7 +14760,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
 
 Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
 
-Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how this person develops at that session&apos;s exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
         <translation>Alle Sitzungen dieses Standorts, die neuesten zuerst.
 
 Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen. Ihre Auswahl bleibt für den Rest des Tages. Ein Verweis von einem anderen Bildschirm, etwa „Liste der zu begutachtenden Sitzungen“, zeigt seine eigene Liste und lässt Ihre Auswahl, wie sie war. Ein Klick auf einen Spaltenkopf sortiert danach.
@@ -16602,7 +16617,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Stop this session?</source>
-        <translation>Diese Sitzung anhalten?</translation>
+        <translation>Diese Sitzung beenden?</translation>
     </message>
     <message>
         <source>All answered trials are kept. The run continues later at the same trial.</source>
@@ -16614,7 +16629,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>This condition is completed.</source>
@@ -16630,7 +16645,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Stop the session</source>
-        <translation>Sitzung anhalten</translation>
+        <translation>Sitzung beenden</translation>
     </message>
     <message>
         <source>Progress of this part</source>
@@ -16738,7 +16753,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
-        <translation>Die Sitzung ist unterbrochen. Gehen Sie zur Seite der Versuchsperson zurück, bevor Sie übergeben.</translation>
+        <translation>Die Sitzung ist pausiert. Gehen Sie zur Seite der Versuchsperson zurück, bevor Sie übergeben.</translation>
     </message>
     <message>
         <source>Please call the experimenter.</source>
@@ -16888,11 +16903,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Stop … (Esc twice)</source>
-        <translation>Anhalten … (Esc zweimal)</translation>
+        <translation>Beenden … (Esc zweimal)</translation>
     </message>
     <message>
         <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
-        <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung angehalten wird. T gibt den Zeiger frei.</translation>
+        <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung beendet werden soll. T gibt den Zeiger frei.</translation>
     </message>
     <message>
         <source>It comes again later.</source>
@@ -16912,11 +16927,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
-        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung anzuhalten.</translation>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung zu beenden.</translation>
     </message>
     <message>
         <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
-        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll.</translation>
+        <translation>Die Leertaste pausiert. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; ein zweites Esc fragt, ob die Sitzung beendet werden soll.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>
@@ -16932,11 +16947,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>What was tried in a pilot run does not count as data of the study, and a stopped pilot run is not continued.</source>
-        <translation>Was in einem Probelauf ausprobiert wurde, gehört nicht zu den Daten der Studie, und ein angehaltener Probelauf wird nicht fortgesetzt.</translation>
+        <translation>Was in einem Probelauf ausprobiert wurde, gehört nicht zu den Daten der Studie, und ein vorzeitig beendeter Probelauf wird nicht fortgesetzt.</translation>
     </message>
     <message>
         <source>Stop this pilot run?</source>
-        <translation>Diesen Probelauf anhalten?</translation>
+        <translation>Diesen Probelauf beenden?</translation>
     </message>
     <message>
         <source>The pilot run reached its end.</source>
@@ -16955,16 +16970,16 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Sie haben das Objekt losgelassen. Heben Sie das Instrument.</translation>
     </message>
     <message>
-        <source>You let go of %1. Raise the tool.</source>
-        <translation>Sie haben %1 losgelassen. Heben Sie das Instrument.</translation>
+        <source>You let go of object %1. Raise the tool.</source>
+        <translation>Sie haben Objekt %1 losgelassen. Heben Sie das Instrument.</translation>
     </message>
     <message>
-        <source>You hold the object. Pull it up.</source>
+        <source>You are holding the object. Pull it up.</source>
         <translation>Sie halten das Objekt. Ziehen Sie es nach oben.</translation>
     </message>
     <message>
-        <source>You hold %1. Pull it up.</source>
-        <translation>Sie halten %1. Ziehen Sie nach oben.</translation>
+        <source>You are holding object %1. Pull it up.</source>
+        <translation>Sie halten Objekt %1. Ziehen Sie es nach oben.</translation>
     </message>
     <message>
         <source>Touch next: %1.</source>
@@ -17019,7 +17034,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant&apos;s screen is no longer connected. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
-        <translation>Der Bildschirm der Versuchsperson ist nicht mehr angeschlossen. Die Sitzung ist unterbrochen, und alles bisher ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
+        <translation>Der Bildschirm der Versuchsperson ist nicht mehr angeschlossen. Die Sitzung ist pausiert, und alles Bisherige ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
     </message>
     <message>
         <source>The experimenter discarded it.</source>
@@ -17071,7 +17086,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
-        <translation>Die Sitzung ist unterbrochen. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
+        <translation>Die Sitzung ist pausiert. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
     </message>
     <message>
         <source>The session is over. Enter your password to go on with the study.</source>
@@ -17079,7 +17094,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The session was stopped</source>
-        <translation>Die Sitzung wurde abgebrochen</translation>
+        <translation>Die Sitzung wurde vorzeitig beendet</translation>
     </message>
     <message>
         <source>This part is not finished; your answers so far are kept. Please call the experimenter, who decides when it goes on.</source>
@@ -17101,7 +17116,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Alle Durchgänge sind abgeschlossen</translation>
     </message>
     <message>
-        <source>Thank you. Only some questions about the study follow. Please call the experimenter, who opens them.</source>
+        <source>Thank you. Only a few questions about the study are left. Please call the experimenter, who opens them.</source>
         <translation>Vielen Dank. Es folgen nur noch einige Fragen zur Studie. Bitte rufen Sie die Versuchsleitung, die sie öffnet.</translation>
     </message>
     <message>
@@ -17117,12 +17132,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Übung: Diese Antwort zählt nicht. Drücken Sie „Weiter“, oder nehmen Sie sie zurück, wenn sie ein Versehen war.</translation>
     </message>
     <message>
-        <source>You hold the object.</source>
+        <source>You are holding the object.</source>
         <translation>Sie halten das Objekt.</translation>
     </message>
     <message>
-        <source>You hold %1.</source>
-        <translation>Sie halten %1.</translation>
+        <source>You are holding object %1.</source>
+        <translation>Sie halten Objekt %1.</translation>
     </message>
     <message>
         <source>Pull less hard.</source>
@@ -17232,7 +17247,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Die Person scheidet aus der Studie aus; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
+        <translation>Die Person scheidet aus der Studie aus; offene Läufe werden beendet. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>
@@ -17643,8 +17658,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Gespeicherte Bytes</translation>
     </message>
     <message>
-        <source>Lateness: median, 99 %</source>
-        <translation>Verspätung: Median, 99 %</translation>
+        <source>Lateness: median, 99th percentile</source>
+        <translation>Verspätung: Median, 99. Perzentil</translation>
     </message>
     <message>
         <source>ran as fast as the computer could</source>

@@ -211,7 +211,7 @@
     </message>
     <message>
         <source>The object came off the tool</source>
-        <translation>Το αντικείμενο έφυγε από το εργαλείο</translation>
+        <translation>Το αντικείμενο ξέφυγε από το εργαλείο</translation>
     </message>
 </context>
 <context>
@@ -446,11 +446,11 @@
     </message>
     <message>
         <source>Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.</source>
-        <translation>Κυλήστε τον τροχό μακριά σας ή κρατήστε το W. Για απόσυρση κυλήστε τον προς εσάς ή κρατήστε το S.</translation>
+        <translation>Γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το W. Για απόσυρση γυρίστε τον προς τα πίσω ή κρατήστε το S.</translation>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
-        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για ανέβασμα κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+        <translation>Γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για ανέβασμα γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
     </message>
     <message>
         <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
@@ -1101,7 +1101,7 @@ Details: %2</source>
     </message>
     <message>
         <source>An object counts as touched from %1 N on.</source>
-        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν από %1 N και πάνω.</translation>
+        <translation>Το άγγιγμα ενός αντικειμένου μετράει από %1 N και πάνω.</translation>
     </message>
     <message>
         <source>Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.</source>
@@ -1562,11 +1562,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length</source>
-        <translation>Σωλήνας: μήκος %1 mm, γίνεται πιο δύσκαμπτος όσο τεντώνεται, σχίζεται στις %2 φορές του μήκους του</translation>
+        <translation>Σωλήνας: μήκος %1 mm, γίνεται πιο δύσκαμπτος όσο τεντώνεται, σχίζεται σε μήκος %2 φορές το αρχικό</translation>
     </message>
     <message>
         <source>Tube: %1 mm long, tears at %2 times its length</source>
-        <translation>Σωλήνας: μήκος %1 mm, σχίζεται στις %2 φορές του μήκους του</translation>
+        <translation>Σωλήνας: μήκος %1 mm, σχίζεται σε μήκος %2 φορές το αρχικό</translation>
     </message>
     <message>
         <source>Hands: two, two fingers each</source>
@@ -2841,7 +2841,7 @@ Details: %2</source>
     </message>
     <message>
         <source>%1 of %2 done</source>
-        <translation>%1 από %2 έτοιμες</translation>
+        <translation>ολοκληρώθηκαν %1 από %2</translation>
     </message>
     <message>
         <source>%1, one interrupted</source>
@@ -3069,12 +3069,15 @@ Details: %2</source>
         <translation>Και οι %1 προσομοιωμένες εκτελέσεις έδωσαν αξιοποιήσιμη τιμή.</translation>
     </message>
     <message>
-        <source>%1 of %2 simulated runs gave no usable value; groups leave such runs out.</source>
-        <translation>%1 από τις %2 προσομοιωμένες εκτελέσεις δεν έδωσαν αξιοποιήσιμη τιμή· οι ομάδες εξαιρούν τέτοιες εκτελέσεις.</translation>
+        <source>With about %1 trials or more, fewer than 1 run in 20 gives no usable value.</source>
+        <translation>Με περίπου %1 δοκιμές ή περισσότερες, λιγότερες από 1 στις 20 εκτελέσεις μένουν χωρίς αξιοποιήσιμη τιμή.</translation>
     </message>
-    <message>
-        <source>From about %1 trials on, fewer than 1 run in 20 gives none.</source>
-        <translation>Από περίπου %1 δοκιμές και πάνω, λιγότερες από 1 στις 20 εκτελέσεις δεν δίνουν καμία.</translation>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no usable value; such runs are left out of group values.</source>
+        <translation>
+            <numerusform>%n από τις %1 προσομοιωμένες εκτελέσεις δεν έδωσε αξιοποιήσιμη τιμή· τέτοιες εκτελέσεις εξαιρούνται από τις τιμές της ομάδας.</numerusform>
+            <numerusform>%n από τις %1 προσομοιωμένες εκτελέσεις δεν έδωσαν αξιοποιήσιμη τιμή· τέτοιες εκτελέσεις εξαιρούνται από τις τιμές της ομάδας.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3639,7 +3642,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The object came off the tool at %1</source>
-        <translation>Το αντικείμενο έφυγε από το εργαλείο στα %1</translation>
+        <translation>Το αντικείμενο ξέφυγε από το εργαλείο στα %1</translation>
     </message>
 </context>
 <context>
@@ -3886,19 +3889,19 @@ Details: %2</source>
     </message>
     <message>
         <source>Right answers for a step down</source>
-        <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
+        <translation>Σωστές απαντήσεις για βήμα προς τα κάτω</translation>
     </message>
     <message>
         <source>Wrong answers for a step up</source>
-        <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
+        <translation>Λάθος απαντήσεις για βήμα προς τα πάνω</translation>
     </message>
     <message>
         <source>Step down as a share of a step up</source>
-        <translation>Βήμα κάτω ως ποσοστό του βήματος πάνω</translation>
+        <translation>Βήμα προς τα κάτω ως ποσοστό του βήματος προς τα πάνω</translation>
     </message>
     <message>
         <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
-        <translation>Τα βήματα κάτω είναι συνήθως μικρότερα από τα βήματα πάνω, ώστε να συγκλίνει η εκτέλεση: 73,93 % για τρεις σωστές απαντήσεις (García-Pérez 1998).</translation>
+        <translation>Τα βήματα προς τα κάτω είναι συνήθως μικρότερα από τα βήματα προς τα πάνω, ώστε να συγκλίνει η εκτέλεση: 73,93 % για τρεις σωστές απαντήσεις (García-Pérez 1998).</translation>
     </message>
     <message>
         <source>as listed</source>
@@ -3910,11 +3913,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Steps up</source>
-        <translation>Βήματα πάνω</translation>
+        <translation>Βήματα προς τα πάνω</translation>
     </message>
     <message>
         <source>Steps down</source>
-        <translation>Βήματα κάτω</translation>
+        <translation>Βήματα προς τα κάτω</translation>
     </message>
     <message>
         <source>One up, one down at first</source>
@@ -4005,16 +4008,12 @@ Details: %2</source>
         <translation>Η εκτέλεση τελειώνει το αργότερο μετά από αυτόν τον αριθμό δοκιμών· 0: χωρίς όριο. Με λιγότερες από 20 δοκιμές οι εκτελέσεις σημειώνονται ως σύντομες, και πολλές δεν δίνουν αξιοποιήσιμη τιμή.</translation>
     </message>
     <message>
-        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where a precision ends the run.</source>
-        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο βέβαιη κι αν είναι η εκτίμηση· 0: χωρίς ελάχιστο. Έχει σημασία μόνο όπου μια ακρίβεια τερματίζει την εκτέλεση.</translation>
-    </message>
-    <message>
-        <source>A level ends once there are this many right answers more or fewer than expected. Larger values take longer and make the decision more reliable.</source>
-        <translation>Ένα επίπεδο τελειώνει μόλις οι σωστές απαντήσεις είναι κατά τόσες περισσότερες ή λιγότερες από τις αναμενόμενες. Μεγαλύτερες τιμές διαρκούν περισσότερο και κάνουν την απόφαση πιο αξιόπιστη.</translation>
+        <source>The run does not end earlier, however sure the estimate is; 0: no minimum. It matters only where the run stops at a set precision.</source>
+        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο βέβαιη κι αν είναι η εκτίμηση· 0: χωρίς ελάχιστο. Έχει σημασία μόνο όταν η εκτέλεση τελειώνει σε ορισμένη ακρίβεια.</translation>
     </message>
     <message>
         <source>Uncertainty of the expectation</source>
-        <translation>Αβεβαιότητα της προσδοκίας</translation>
+        <translation>Αβεβαιότητα της πρόβλεψης</translation>
     </message>
     <message>
         <source>How steeply the share of right answers grows with the difference; it is assumed, not measured.</source>
@@ -4033,7 +4032,7 @@ Details: %2</source>
         <translation>Πώς θεωρείται ότι αυξάνεται το ποσοστό σωστών απαντήσεων με τη διαφορά.</translation>
     </message>
     <message>
-        <source>The same difference is shown at most this many times in a row; 0: no limit.</source>
+        <source>The same difference is presented at most this many times in a row; 0: no limit.</source>
         <translation>Η ίδια διαφορά παρουσιάζεται το πολύ τόσες φορές στη σειρά· 0: χωρίς όριο.</translation>
     </message>
     <message>
@@ -4045,8 +4044,8 @@ Details: %2</source>
         <translation>Πιθανά όρια: δύο αντικείμενα με μικρότερη αισθητή διαφορά θεωρούνται ίσα. Σε τυπικές αποκλίσεις της αίσθησης.</translation>
     </message>
     <message>
-        <source>Just noticeable differences between these two values are considered possible.</source>
-        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών των δύο τιμών θεωρούνται πιθανές.</translation>
+        <source>The just noticeable difference is assumed to lie between these two values.</source>
+        <translation>Θεωρείται ότι η ελάχιστη αντιληπτή διαφορά βρίσκεται μεταξύ αυτών των δύο τιμών.</translation>
     </message>
     <message>
         <source>After this many right answers in a row the next trial is harder; with 3 the run converges at about 80 % right answers.</source>
@@ -4057,16 +4056,20 @@ Details: %2</source>
         <translation>Μετά από τόσες συνεχόμενες λανθασμένες απαντήσεις η επόμενη δοκιμή είναι ευκολότερη.</translation>
     </message>
     <message>
-        <source>The first is used until the first reversal, and the next one from each reversal on; the last one is kept.</source>
-        <translation>Το πρώτο ισχύει ως την πρώτη αναστροφή και από κάθε αναστροφή το επόμενο· το τελευταίο διατηρείται.</translation>
+        <source>The first step is used until the first reversal, then the next one after each reversal; the last one stays in use.</source>
+        <translation>Το πρώτο ισχύει ως την πρώτη αναστροφή και μετά από κάθε αναστροφή το επόμενο· το τελευταίο παραμένει σε ισχύ.</translation>
     </message>
     <message>
         <source>In the same order as the steps up; none: the same as the steps up.</source>
-        <translation>Με την ίδια σειρά όπως τα βήματα πάνω· κανένα: όπως τα βήματα πάνω.</translation>
+        <translation>Με την ίδια σειρά όπως τα βήματα προς τα πάνω· κανένα: όπως τα βήματα προς τα πάνω.</translation>
     </message>
     <message>
         <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
         <translation>Ως την πρώτη αναστροφή μία σωστή απάντηση αρκεί για να δυσκολέψει η επόμενη δοκιμή, ώστε η εκτέλεση να πλησιάσει νωρίτερα το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>A level ends once the number of right answers differs from the expected one by more than this. Larger values take longer and make the decision more reliable.</source>
+        <translation>Ένα επίπεδο τελειώνει μόλις το πλήθος των σωστών απαντήσεων διαφέρει από το αναμενόμενο περισσότερο από αυτή την τιμή. Με μεγαλύτερες τιμές διαρκεί περισσότερο και η απόφαση είναι πιο αξιόπιστη.</translation>
     </message>
 </context>
 <context>
@@ -5391,9 +5394,9 @@ Do you want to replace it?</source>
         <translation>Τα αντίγραφα ασφαλείας βρίσκονται στον ίδιο δίσκο με το κέντρο: αν χαλάσει ο δίσκος, χάνονται και τα δύο. Επιλέξτε φάκελο σε άλλον δίσκο, σε μονάδα USB ή στο δίκτυο.</translation>
     </message>
     <message>
-        <source>The automatic backup %1 was not made. It will be tried again; make one yourself until then.
+        <source>An automatic backup failed %1. It will be tried again; in the meantime, make one yourself.
 Details: %2</source>
-        <translation>Το αυτόματο αντίγραφο ασφαλείας (%1) δεν δημιουργήθηκε. Θα γίνει νέα προσπάθεια· ως τότε δημιουργήστε ένα εσείς.
+        <translation>Η δημιουργία αυτόματου αντιγράφου ασφαλείας απέτυχε (%1). Θα γίνει νέα προσπάθεια· στο μεταξύ δημιουργήστε ένα εσείς.
 Λεπτομέρειες: %2</translation>
     </message>
 </context>
@@ -5477,7 +5480,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
-        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για ανέβασμα κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+        <translation>Γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για ανέβασμα γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
     </message>
     <message>
         <source>Press 1, 2 or 3 from least to most, with = before one that equals the last, then Enter. Backspace takes the last one back.</source>
@@ -5489,7 +5492,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για να τραβήξετε, κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για να τραβήξετε, γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
     </message>
     <message>
         <source>Lower the tip into the ring, then raise the handle.</source>
@@ -5518,8 +5521,8 @@ Details: %2</source>
 <context>
     <name>StudyDevice</name>
     <message>
-        <source>The device of this station renders no force: objects are shown, not felt. Groups and comparisons leave such runs out, unless you include them under Data.</source>
-        <translation>Η συσκευή αυτού του σταθμού δεν αποδίδει δύναμη: τα αντικείμενα γίνονται ορατά, όχι αισθητά. Ομάδες και συγκρίσεις εξαιρούν τέτοιες εκτελέσεις, εκτός αν τις συμπεριλάβετε στα «Δεδομένα».</translation>
+        <source>The device of this station renders no force: objects are shown, not felt. Such runs are left out of groups and comparisons unless you include them under Data.</source>
+        <translation>Η συσκευή αυτού του σταθμού δεν αποδίδει δύναμη: τα αντικείμενα προβάλλονται, δεν γίνονται αισθητά. Τέτοιες εκτελέσεις εξαιρούνται από ομάδες και συγκρίσεις, εκτός αν τις συμπεριλάβετε στην οθόνη «Δεδομένα».</translation>
     </message>
 </context>
 <context>
@@ -6517,7 +6520,7 @@ Details: %2</source>
     </message>
     <message>
         <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
-        <translation>%1: αυτή η συνθήκη δεν ξεκίνησε και δεν μπορεί πια να ξεκινήσει εκτέλεση, επειδή η μελέτη έχει κλείσει.</translation>
+        <translation>%1: αυτή η συνθήκη δεν ξεκίνησε, και καμία εκτέλεση δεν μπορεί πια να ξεκινήσει, επειδή η μελέτη έχει κλείσει.</translation>
     </message>
     <message>
         <source>%1: this condition has not been begun. Begin it under Run.</source>
@@ -6533,7 +6536,7 @@ Details: %2</source>
     </message>
     <message>
         <source>%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.</source>
-        <translation>%1: τα αντικείμενα φάνηκαν, δεν έγιναν αισθητά. Τέτοιες εκτελέσεις μένουν εκτός, αν δεν συμπεριληφθούν σκόπιμα.</translation>
+        <translation>%1: τα αντικείμενα προβλήθηκαν, δεν έγιναν αισθητά. Τέτοιες εκτελέσεις εξαιρούνται, εκτός αν συμπεριληφθούν σκόπιμα.</translation>
     </message>
     <message>
         <source>%1: simulated, and therefore left out of a group of people.</source>
@@ -6573,7 +6576,7 @@ Details: %2</source>
     </message>
     <message>
         <source>shown, not felt</source>
-        <translation>φάνηκε, δεν έγινε αισθητό</translation>
+        <translation>μόνο προβολή</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -6676,35 +6679,11 @@ Details: %2</source>
     </message>
     <message>
         <source>%1: the answers are no better than guessing, so the threshold may lie far above the largest difference presented. Check that the task was understood.</source>
-        <translation>%1: οι απαντήσεις δεν είναι καλύτερες από τυχαίες, άρα το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητή η δοκιμασία.</translation>
+        <translation>%1: οι απαντήσεις δεν είναι καλύτερες από τυχαίες, άρα το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο.</translation>
     </message>
     <message>
         <source>%1: the answers do not rule out a threshold far above the largest difference presented.</source>
         <translation>%1: οι απαντήσεις δεν αποκλείουν κατώφλι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
-    </message>
-    <message>
-        <source>%1: the answers do not tell how small or how large the threshold is.</source>
-        <translation>%1: οι απαντήσεις δεν δείχνουν πόσο μικρό ή πόσο μεγάλο είναι το κατώφλι.</translation>
-    </message>
-    <message>
-        <source>The answers are too few to measure it: copy the study and plan more trials.</source>
-        <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί: αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
-    </message>
-    <message>
-        <source>The study&apos;s table has larger differences, which were not presented. To measure it, copy the study and plan more trials or a larger first difference.</source>
-        <translation>Ο πίνακας της μελέτης έχει μεγαλύτερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές ή μεγαλύτερη πρώτη διαφορά.</translation>
-    </message>
-    <message>
-        <source>The study&apos;s table has smaller differences, which were not presented. To measure it, copy the study and plan more trials.</source>
-        <translation>Ο πίνακας της μελέτης έχει μικρότερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
-    </message>
-    <message>
-        <source>To measure it, copy the study and plan larger differences.</source>
-        <translation>Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε μεγαλύτερες διαφορές.</translation>
-    </message>
-    <message>
-        <source>To measure it, copy the study and plan smaller differences.</source>
-        <translation>Για να μετρηθεί, αντιγράψτε τη μελέτη και προβλέψτε μικρότερες διαφορές.</translation>
     </message>
     <message>
         <source>%1: the answers give no value, and the run cannot be resumed because the study is closed.</source>
@@ -6719,16 +6698,8 @@ Details: %2</source>
         <translation>οι απαντήσεις δεν δίνουν ακόμη τιμή</translation>
     </message>
     <message>
-        <source>a much larger threshold is not ruled out</source>
-        <translation>δεν αποκλείεται πολύ μεγαλύτερο κατώφλι</translation>
-    </message>
-    <message>
-        <source>the answers do not tell how small or how large it is</source>
-        <translation>οι απαντήσεις δεν δείχνουν πόσο μικρή ή πόσο μεγάλη είναι η τιμή</translation>
-    </message>
-    <message>
-        <source>Which runs count: every run whose answers rule out a threshold far below the smallest difference presented and one far above the largest (as a rule a tenth of it, and ten times it), whatever other warnings it has and whether or not it is finished. “Rule out” means that such a threshold explains the answers less than 15 % as well as the best one does. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
-        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της αποκλείουν κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε και κατώφλι πολύ πάνω από τη μεγαλύτερη (κατά κανόνα το ένα δέκατο και το δεκαπλάσιό της), όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. «Αποκλείουν» σημαίνει ότι ένα τέτοιο κατώφλι εξηγεί τις απαντήσεις λιγότερο από 15 % τόσο καλά όσο το καλύτερο. Εξαιρούνται, από ομάδες και συγκρίσεις εξίσου, εκτελέσεις που οι απαντήσεις τους δεν αποκλείουν και τα δύο ή δεν δίνουν τιμή, εκτελέσεις με αντικείμενα που έγιναν ορατά και όχι αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποχώρησαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
+        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). Other warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Μια εκτέλεση μετράει αν οι απαντήσεις της αποκλείουν δύο πράγματα: ένα κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε (συνήθως το ένα δέκατό της) και ένα πολύ πάνω από τη μεγαλύτερη (συνήθως το δεκαπλάσιό της). Άλλες προειδοποιήσεις, ή το ότι η εκτέλεση δεν ολοκληρώθηκε, δεν έχουν σημασία. «Αποκλείουν» σημαίνει: με ένα τέτοιο κατώφλι η πιθανότητα των απαντήσεων είναι κάτω από το 15 % εκείνης με το καλύτερο. Εξαιρούνται, από ομάδες και συγκρίσεις εξίσου, εκτελέσεις που οι απαντήσεις τους δεν αποκλείουν και τα δύο ή δεν δίνουν τιμή, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
     </message>
     <message>
         <source>no value yet</source>
@@ -6751,32 +6722,12 @@ Details: %2</source>
         <translation>δύο ομάδες των %1 και %2 συμμετεχόντων</translation>
     </message>
     <message>
-        <source>With %1, even a ratio of 10 could not have been shown.</source>
-        <translation>Με %1 ούτε λόγος ίσος με 10 δεν θα μπορούσε να είχε φανεί.</translation>
-    </message>
-    <message>
-        <source>With %1, a ratio below %2 could not have been shown.</source>
-        <translation>Με %1 δεν θα μπορούσε να είχε φανεί λόγος κάτω από %2.</translation>
-    </message>
-    <message>
         <source>Compared in both conditions: %1.</source>
         <translation>Συγκρίνονται και στις δύο συνθήκες: %1.</translation>
     </message>
     <message>
-        <source>Compared in “%1” alone: %2; in “%3” alone: %4.</source>
-        <translation>Συγκρίνονται μόνο στη «%1»: %2· μόνο στη «%3»: %4.</translation>
-    </message>
-    <message>
-        <source>Whether the thresholds of “%1” and “%2” differ cannot be said: there is no interval and no p.</source>
-        <translation>Δεν μπορεί να ειπωθεί αν διαφέρουν τα κατώφλια των «%1» και «%2»: δεν υπάρχει διάστημα ούτε p.</translation>
-    </message>
-    <message>
         <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
         <translation>Δεν φαίνεται διαφορά μεταξύ «%1» και «%2» (λόγος %3, διάστημα 95 %: %4· %5).</translation>
-    </message>
-    <message>
-        <source>The threshold of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
-        <translation>Το κατώφλι της «%1» είναι %2 φορές εκείνο της «%3» (διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
         <source>unbounded in practice: too few participants</source>
@@ -6787,12 +6738,80 @@ Details: %2</source>
         <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι μπορεί να είναι κάτω από τη μικρότερη διαφορά που παρουσιάστηκε, αλλά δεν είναι γνωστό πόσο.</translation>
     </message>
     <message>
-        <source>There are too few answers to tell them from guessing: only more trials can show whether the difference was perceived.</source>
-        <translation>Οι απαντήσεις είναι πολύ λίγες για να διακριθούν από τυχαίες: μόνο περισσότερες δοκιμές μπορούν να δείξουν αν έγινε αντιληπτή η διαφορά.</translation>
-    </message>
-    <message>
         <source>Interrupted</source>
         <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far below the smallest difference presented.</source>
+        <translation>%1: οι απαντήσεις δεν αποκλείουν κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not rule out a threshold far below the smallest difference presented, nor one far above the largest.</source>
+        <translation>%1: οι απαντήσεις δεν αποκλείουν ούτε κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε ούτε κατώφλι πολύ πάνω από τη μεγαλύτερη.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to measure the threshold: copy the study and plan more trials.</source>
+        <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί το κατώφλι: αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has larger differences, which were not presented. To measure the threshold, copy the study and plan more trials or a larger first difference.</source>
+        <translation>Ο πίνακας της μελέτης έχει μεγαλύτερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές ή μεγαλύτερη πρώτη διαφορά.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s table has smaller differences, which were not presented. To measure the threshold, copy the study and plan more trials.</source>
+        <translation>Ο πίνακας της μελέτης έχει μικρότερες διαφορές, που δεν παρουσιάστηκαν. Για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>To measure the threshold, copy the study and plan larger differences.</source>
+        <translation>Για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και προβλέψτε μεγαλύτερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>To measure the threshold, copy the study and plan smaller differences.</source>
+        <translation>Για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και προβλέψτε μικρότερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>Only one difference was presented. To measure the threshold, copy the study and plan several.</source>
+        <translation>Παρουσιάστηκε μόνο μία διαφορά. Για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και προβλέψτε περισσότερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>the threshold may be far above the largest difference</source>
+        <translation>το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά</translation>
+    </message>
+    <message>
+        <source>the answers leave the threshold open</source>
+        <translation>οι απαντήσεις αφήνουν το κατώφλι ανοικτό</translation>
+    </message>
+    <message>
+        <source>With %1, even a tenfold difference remains possible.</source>
+        <translation>Με %1 παραμένει δυνατή ακόμη και μια δεκαπλάσια διαφορά.</translation>
+    </message>
+    <message>
+        <source>With %1, every ratio in this interval remains possible: it is not shown that the two are alike.</source>
+        <translation>Με %1 παραμένει δυνατός κάθε λόγος μέσα σε αυτό το διάστημα: δεν αποδείχθηκε ότι οι δύο είναι ίδιες.</translation>
+    </message>
+    <message>
+        <source>Two groups are compared: %2, with a value only in “%1”, and %4, with a value only in “%3”.</source>
+        <translation>Συγκρίνονται δύο ομάδες: %2, με τιμή μόνο στη «%1», και %4, με τιμή μόνο στη «%3».</translation>
+    </message>
+    <message>
+        <source>It is not known whether the Weber fractions of “%1” and “%2” differ: these values give no interval and no p.</source>
+        <translation>Δεν είναι γνωστό αν διαφέρουν τα κλάσματα Weber των «%1» και «%2»: από αυτές τις τιμές δεν προκύπτει ούτε διάστημα ούτε p.</translation>
+    </message>
+    <message>
+        <source>The interval is that of this comparison alone: once p is adjusted for all comparisons, the difference is not significant.</source>
+        <translation>Το διάστημα αφορά μόνο αυτή τη σύγκριση: όταν το p προσαρμόζεται για όλες τις συγκρίσεις, η διαφορά δεν είναι σημαντική.</translation>
+    </message>
+    <message>
+        <source>The Weber fraction of “%1” is %2 times that of “%3” (95 % interval: %4; %5).</source>
+        <translation>Το κλάσμα Weber της «%1» είναι %2 φορές εκείνο της «%3» (διάστημα 95 %: %4· %5).</translation>
+    </message>
+    <message>
+        <source>unbounded in practice: participants are too few, or differ too much</source>
+        <translation>πρακτικά απεριόριστο: οι συμμετέχοντες είναι πολύ λίγοι ή διαφέρουν πολύ μεταξύ τους</translation>
+    </message>
+    <message>
+        <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
+        <translation>Οι απαντήσεις είναι πολύ λίγες για να φανεί αν είναι καλύτερες από τυχαίες. Περισσότερες δοκιμές θα το έδειχναν.</translation>
     </message>
 </context>
 <context>
@@ -7519,7 +7538,7 @@ Recording and scores are kept but do not count.</source>
         <translation>Αυτός είναι ο τωρινός σας κωδικός. Επιλέξτε άλλον.</translation>
     </message>
     <message>
-        <source>Your password is changed. From your next login, only the new one is valid.</source>
+        <source>Your password has been changed. From your next login, only the new one is valid.</source>
         <translation>Ο κωδικός πρόσβασής σας άλλαξε. Από την επόμενη σύνδεση ισχύει μόνο ο νέος.</translation>
     </message>
     <message>
@@ -8889,8 +8908,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Η μικρότερη διαφορά πρέπει να είναι κάτω από τη μεγαλύτερη. Ο πίνακας δεν άλλαξε.</translation>
     </message>
     <message>
-        <source>Objects with less of the attribute than the reference are presented as well.</source>
-        <translation>Παρουσιάζονται και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
+        <source>Objects whose attribute is weaker than the reference&apos;s are presented as well.</source>
+        <translation>Παρουσιάζονται και αντικείμενα στα οποία η ιδιότητα είναι λιγότερο έντονη από της αναφοράς.</translation>
     </message>
 </context>
 <context>
@@ -9427,23 +9446,23 @@ Each level says whether you have passed it. Choose one to see what is measured a
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
+        <source>“%1” was not accepted: enter a number without a unit. The value is still %2.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε έναν αριθμό χωρίς μονάδα. Ισχύει ακόμη %2.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a value in %2. %3 is still set.</source>
+        <source>“%1” was not accepted: enter a value in %2. The value is still %3.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε μια τιμή σε %2. Ισχύει ακόμη %3.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: it has more decimals than are kept here. %2 is still set.</source>
+        <source>“%1” was not accepted: it has more decimals than this field keeps. The value is still %2.</source>
         <translation>Το «%1» δεν έγινε δεκτό: έχει περισσότερα δεκαδικά από όσα αποθηκεύονται εδώ. Ισχύει ακόμη %2.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: choose a value from %2 to %3. %4 is still set.</source>
+        <source>“%1” was not accepted: choose a value from %2 to %3. The value is still %4.</source>
         <translation>Το «%1» δεν έγινε δεκτό: επιλέξτε τιμή από %2 έως %3. Ισχύει ακόμη %4.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
+        <source>“%1” was not accepted: enter a whole number from %2 to %3. The value is still %4.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από %2 έως %3. Ισχύει ακόμη %4.</translation>
     </message>
     <message>
@@ -9451,11 +9470,11 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>%1 έως %2, συνήθως %3.</translation>
     </message>
     <message>
-        <source>A number is needed here. %1 is still set.</source>
+        <source>A number is needed here. The value is still %1.</source>
         <translation>Εδώ χρειάζεται αριθμός. Ισχύει ακόμη %1.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: each number has to be from %2 to %3.</source>
+        <source>“%1” was not accepted: each number has to be from %2 to %3.</source>
         <translation>Το «%1» δεν έγινε δεκτό: κάθε αριθμός πρέπει να είναι από %2 έως %3.</translation>
     </message>
 </context>
@@ -9915,10 +9934,6 @@ Press again to end the trial without it.</source>
     <message>
         <source>%1 (%2 repeated)</source>
         <translation>%1 (%2 επαναλήφθηκαν)</translation>
-    </message>
-    <message>
-        <source>too few participants for a prediction</source>
-        <translation>πολύ λίγοι συμμετέχοντες για πρόβλεψη</translation>
     </message>
     <message>
         <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 % or less)</source>
@@ -11225,8 +11240,8 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Γραμμή σχεδίου</translation>
     </message>
     <message>
-        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so it need not be the order of enrolment.</source>
-        <translation>Η γραμμή του σχεδίου σειράς (%1), με αρίθμηση από το 1: δείχνει με ποια σειρά κάνει τις συνθήκες αυτός ο συμμετέχων. Όποιος εγγράφεται παίρνει την επόμενη ελεύθερη γραμμή, και η γραμμή όποιου αποσύρεται ελευθερώνεται ξανά, οπότε δεν είναι απαραίτητα η σειρά εγγραφής.</translation>
+        <source>The row of the order design (%1), counted from 1: it says in which order this participant does the conditions. Whoever is enrolled gets the next free row, and the row of somebody who withdraws becomes free again, so the rows need not follow the order of enrolment.</source>
+        <translation>Η γραμμή του σχεδίου σειράς (%1), με αρίθμηση από το 1: δείχνει με ποια σειρά κάνει τις συνθήκες αυτός ο συμμετέχων. Όποιος εγγράφεται παίρνει την επόμενη ελεύθερη γραμμή, και η γραμμή όποιου αποσύρεται ελευθερώνεται ξανά, οπότε οι γραμμές δεν ακολουθούν απαραίτητα τη σειρά εγγραφής.</translation>
     </message>
 </context>
 <context>
@@ -11762,7 +11777,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>Energy supplied by the hand and stored in the object</source>
-        <translation>Ενέργεια που δίνει το χέρι και που αποθηκεύεται στο αντικείμενο</translation>
+        <translation>Ενέργεια που δίνει το χέρι και ενέργεια που αποθηκεύεται στο αντικείμενο</translation>
     </message>
     <message>
         <source>more stored than supplied</source>
@@ -11833,12 +11848,12 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Αισθητή δύναμη (N)</translation>
     </message>
     <message>
-        <source>Show less time, larger (+)</source>
-        <translation>Λιγότερος χρόνος, μεγαλύτερα (+)</translation>
+        <source>Zoom in: show less time (+)</source>
+        <translation>Μεγέθυνση: μικρότερο διάστημα (+)</translation>
     </message>
     <message>
-        <source>Show more time (-)</source>
-        <translation>Περισσότερος χρόνος (-)</translation>
+        <source>Zoom out: show more time (-)</source>
+        <translation>Σμίκρυνση: μεγαλύτερο διάστημα (-)</translation>
     </message>
     <message>
         <source>Show the whole session (0)</source>
@@ -12153,7 +12168,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>A cross in the scene shows where tissue gave way, or where an object of a study came off the tool.</source>
-        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός ή πού έφυγε από το εργαλείο αντικείμενο μιας μελέτης.</translation>
+        <translation>Ένας σταυρός στη σκηνή δείχνει πού υποχώρησε ιστός ή πού ξέφυγε από το εργαλείο αντικείμενο μιας μελέτης.</translation>
     </message>
 </context>
 <context>
@@ -12432,12 +12447,12 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Η μεγαλύτερη τιμή. Το σχέδιο που εισήχθη κατανέμει τις τιμές ακανόνιστα· μετά από μια αλλαγή κατανέμονται ομοιόμορφα.</translation>
     </message>
     <message>
-        <source>Thresholds between these two values are considered possible.</source>
-        <translation>Κατώφλια μεταξύ αυτών των δύο τιμών θεωρούνται πιθανά.</translation>
+        <source>The threshold is assumed to lie between these two values.</source>
+        <translation>Θεωρείται ότι το κατώφλι βρίσκεται μεταξύ αυτών των δύο τιμών.</translation>
     </message>
     <message>
-        <source>Spreads of the answers between these two values are considered possible.</source>
-        <translation>Διασπορές των απαντήσεων μεταξύ αυτών των δύο τιμών θεωρούνται πιθανές.</translation>
+        <source>The spread of the answers is assumed to lie between these two values.</source>
+        <translation>Θεωρείται ότι η διασπορά των απαντήσεων βρίσκεται μεταξύ αυτών των δύο τιμών.</translation>
     </message>
     <message>
         <source>Slopes that are considered possible: how steeply the share of right answers grows with the difference. Usually 1.5 to 7.</source>
@@ -12961,24 +12976,24 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <translation>Αφαίρεση ερώτησης %1</translation>
     </message>
     <message>
-        <source>Add an instrument …</source>
-        <translation>Προσθήκη εργαλείου …</translation>
+        <source>Add a published questionnaire …</source>
+        <translation>Προσθήκη δημοσιευμένου ερωτηματολογίου …</translation>
     </message>
     <message>
         <source>Published questionnaires with their scores, and what is written down when a participant is enrolled</source>
-        <translation>Δημοσιευμένα ερωτηματολόγια με τη βαθμολόγησή τους, και ό,τι σημειώνεται κατά την εγγραφή ενός συμμετέχοντος</translation>
+        <translation>Δημοσιευμένα ερωτηματολόγια με τη βαθμολόγησή τους, και ό,τι σημειώνεται κατά την εγγραφή ενός συμμετέχοντα</translation>
     </message>
     <message>
-        <source>The instruments could not be read.</source>
-        <translation>Τα εργαλεία δεν ήταν δυνατό να διαβαστούν.</translation>
+        <source>The published questionnaires could not be read.</source>
+        <translation>Τα δημοσιευμένα ερωτηματολόγια δεν ήταν δυνατό να διαβαστούν.</translation>
     </message>
     <message>
-        <source>Add an instrument</source>
-        <translation>Προσθήκη εργαλείου</translation>
+        <source>Add a published questionnaire</source>
+        <translation>Προσθήκη δημοσιευμένου ερωτηματολογίου</translation>
     </message>
     <message>
         <source>when a participant is enrolled</source>
-        <translation>κατά την εγγραφή ενός συμμετέχοντος</translation>
+        <translation>κατά την εγγραφή ενός συμμετέχοντα</translation>
     </message>
     <message>
         <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs, or after each condition. The answers are stored with the data.</source>
@@ -13849,7 +13864,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Αποθήκευση</translation>
     </message>
     <message>
-        <source>The roles of %1 are changed.</source>
+        <source>The roles of %1 have been changed.</source>
         <translation>Οι ρόλοι άλλαξαν: %1.</translation>
     </message>
     <message>
@@ -13863,7 +13878,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
 %2</translation>
     </message>
     <message>
-        <source>Your roles are changed. The list on the left shows the screens that go with them.</source>
+        <source>Your roles have been changed. The list on the left shows the screens that go with them.</source>
         <translation>Οι ρόλοι σας άλλαξαν. Η λίστα αριστερά δείχνει τις αντίστοιχες οθόνες.</translation>
     </message>
 </context>
@@ -14178,7 +14193,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής. Οι συμμετέχοντες ενημερώνονται όπου ακούγεται.</translation>
     </message>
     <message>
-        <source>“%1” was not taken: enter a whole number from 0 to %2.</source>
+        <source>“%1” was not accepted: enter a whole number from 0 to %2.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από 0 έως %2.</translation>
     </message>
     <message>
@@ -14211,7 +14226,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
     </message>
     <message>
         <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after barely touching it. 0: any touch counts.</source>
-        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
+        <translation>Το άγγιγμα ενός αντικειμένου μετράει μόνο όταν αυτό πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από μια φευγαλέα επαφή. 0: μετράει κάθε άγγιγμα.</translation>
     </message>
     <message>
         <source>In which order each participant does the conditions. A Williams design also balances which condition follows which.</source>
@@ -14222,8 +14237,8 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Ως την άρση της τυφλότητας οι πειραματιστές βλέπουν σφραγισμένους κωδικούς αντί για τις συνθήκες.</translation>
     </message>
     <message>
-        <source>How far the measured force may be from the commanded one, root mean square.</source>
-        <translation>Πόσο μπορεί να απέχει η μετρημένη δύναμη από τη ζητούμενη, τετραγωνικός μέσος.</translation>
+        <source>How far the measured force may be from the commanded one (root mean square).</source>
+        <translation>Πόσο μπορεί να απέχει η μετρημένη δύναμη από τη ζητούμενη (τετραγωνικός μέσος).</translation>
     </message>
 </context>
 <context>
@@ -14745,7 +14760,7 @@ An interrupted run resumes at the trial where it stopped.</source>
 
 Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
 
-Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+Press Enter or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how this person develops at that session&apos;s exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
         <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, οι νεότερες πρώτα.
 
 Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα. Ό,τι επιλέγετε παραμένει για την υπόλοιπη ημέρα. Ένας σύνδεσμος από άλλη οθόνη, όπως η «Λίστα συνεδριών προς αξιολόγηση», δείχνει τη δική του λίστα και αφήνει την επιλογή σας όπως ήταν. Κάντε κλικ σε μια επικεφαλίδα στήλης για ταξινόμηση.
@@ -15605,7 +15620,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>%1 of %2 done</source>
-        <translation>%1 από %2 έτοιμες</translation>
+        <translation>ολοκλήρωσαν %1 από %2</translation>
     </message>
     <message>
         <source>Bring back</source>
@@ -16734,11 +16749,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant&apos;s page is on the other screen.</source>
-        <translation>Η σελίδα του συμμετέχοντος βρίσκεται στην άλλη οθόνη.</translation>
+        <translation>Η σελίδα του συμμετέχοντα βρίσκεται στην άλλη οθόνη.</translation>
     </message>
     <message>
         <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
-        <translation>Η συνεδρία είναι σε παύση. Πριν παραδώσετε, επιστρέψτε στη σελίδα του συμμετέχοντος.</translation>
+        <translation>Η συνεδρία είναι σε παύση. Πριν παραδώσετε, επιστρέψτε στη σελίδα του συμμετέχοντα.</translation>
     </message>
     <message>
         <source>Please call the experimenter.</source>
@@ -16955,16 +16970,16 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Αφήσατε το αντικείμενο. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
-        <source>You let go of %1. Raise the tool.</source>
-        <translation>Αφήσατε το %1. Σηκώστε το εργαλείο.</translation>
+        <source>You let go of object %1. Raise the tool.</source>
+        <translation>Αφήσατε το αντικείμενο %1. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
-        <source>You hold the object. Pull it up.</source>
+        <source>You are holding the object. Pull it up.</source>
         <translation>Κρατάτε το αντικείμενο. Τραβήξτε το προς τα πάνω.</translation>
     </message>
     <message>
-        <source>You hold %1. Pull it up.</source>
-        <translation>Κρατάτε το %1. Τραβήξτε το προς τα πάνω.</translation>
+        <source>You are holding object %1. Pull it up.</source>
+        <translation>Κρατάτε το αντικείμενο %1. Τραβήξτε το προς τα πάνω.</translation>
     </message>
     <message>
         <source>Touch next: %1.</source>
@@ -17019,7 +17034,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant&apos;s screen is no longer connected. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
-        <translation>Η οθόνη του συμμετέχοντος δεν είναι πλέον συνδεδεμένη. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
+        <translation>Η οθόνη του συμμετέχοντα δεν είναι πλέον συνδεδεμένη. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντα βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
     </message>
     <message>
         <source>The experimenter discarded it.</source>
@@ -17067,11 +17082,11 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>The participant&apos;s screen is no longer connected. The participant&apos;s page is in this window now.</source>
-        <translation>Η οθόνη του συμμετέχοντος δεν είναι πλέον συνδεδεμένη. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
+        <translation>Η οθόνη του συμμετέχοντα δεν είναι πλέον συνδεδεμένη. Η σελίδα του συμμετέχοντα βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
     </message>
     <message>
         <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
-        <translation>Η συνεδρία περιμένει. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
+        <translation>Η συνεδρία είναι σε παύση. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
     </message>
     <message>
         <source>The session is over. Enter your password to go on with the study.</source>
@@ -17101,7 +17116,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Όλες οι δοκιμές ολοκληρώθηκαν</translation>
     </message>
     <message>
-        <source>Thank you. Only some questions about the study follow. Please call the experimenter, who opens them.</source>
+        <source>Thank you. Only a few questions about the study are left. Please call the experimenter, who opens them.</source>
         <translation>Ευχαριστούμε. Ακολουθούν μόνο μερικές ερωτήσεις για τη μελέτη. Παρακαλούμε καλέστε τον πειραματιστή, που θα τις ανοίξει.</translation>
     </message>
     <message>
@@ -17117,12 +17132,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Εξάσκηση: αυτή η απάντηση δεν μετράει. Πατήστε «Επόμενο» για να συνεχίσετε, ή αναιρέστε την αν έγινε κατά λάθος.</translation>
     </message>
     <message>
-        <source>You hold the object.</source>
+        <source>You are holding the object.</source>
         <translation>Κρατάτε το αντικείμενο.</translation>
     </message>
     <message>
-        <source>You hold %1.</source>
-        <translation>Κρατάτε το %1.</translation>
+        <source>You are holding object %1.</source>
+        <translation>Κρατάτε το αντικείμενο %1.</translation>
     </message>
     <message>
         <source>Pull less hard.</source>
@@ -17643,8 +17658,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Αποθηκευμένα byte</translation>
     </message>
     <message>
-        <source>Lateness: median, 99 %</source>
-        <translation>Καθυστέρηση: διάμεσος, 99 %</translation>
+        <source>Lateness: median, 99th percentile</source>
+        <translation>Καθυστέρηση: διάμεσος, 99ο εκατοστημόριο</translation>
     </message>
     <message>
         <source>ran as fast as the computer could</source>

@@ -143,6 +143,16 @@
     </message>
 </context>
 <context>
+    <name>PlanWords</name>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no usable value; such runs are left out of group values.</source>
+        <translation>
+            <numerusform>%n of %1 simulated runs gave no usable value; such runs are left out of group values.</numerusform>
+            <numerusform>%n of %1 simulated runs gave no usable value; such runs are left out of group values.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RosterWords</name>
     <message numerus="yes">
         <source>%n people would be added. Each must choose a password of their own at the first login.</source>

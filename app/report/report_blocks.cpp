@@ -244,7 +244,7 @@ void ReportBlocks::addIntegrity() {
                    .arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
                         locale.toString(static_cast<qulonglong>(loop.late)),
                         locale.toString(static_cast<qulonglong>(loop.skipped)))},
-              {Words::tr("Lateness: median, 99 %"),
+              {Words::tr("Lateness: median, 99th percentile"),
                loop.realtime ? QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))
                              : Words::tr("ran as fast as the computer could")},
               {Words::tr("Maximum lateness"), loop.realtime ? micro(loop.max_us) : QStringLiteral("–")}},

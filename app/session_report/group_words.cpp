@@ -65,7 +65,7 @@ QString openValue(const RolledPerson& person) {
         break;
     case Remedy::moreTrials:
         said << Words::tr(
-            "The answers are too few to measure the threshold: copy the study and plan more trials.");
+            "There are too few answers to measure the threshold: copy the study and plan more trials.");
         break;
     case Remedy::unusedDifferences:
         said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "
@@ -262,14 +262,14 @@ QStringList reasons(const GroupRoll& roll, Presence presence) {
 } // namespace
 
 QString groupRule() {
-    return Words::tr("Which runs count: every run whose answers rule out a threshold far below the smallest "
-                     "difference presented and one far above the largest (as a rule a tenth of it, and ten "
-                     "times it), whatever other warnings it has and whether or not it is finished. “Rule "
-                     "out” means that such a threshold explains the answers less than 15 % as well as the "
-                     "best one does. Left out, from groups and comparisons alike, are runs whose answers do "
-                     "not rule out both or give no value, runs with objects shown and not felt (unless you "
-                     "include them), participants who have withdrawn, and simulated participants where there "
-                     "are people.");
+    return Words::tr(
+        "A run counts if its answers rule out two things: a threshold far below the smallest difference "
+        "presented (usually a tenth of it) and one far above the largest (usually ten times it). Other "
+        "warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold "
+        "the answers are less than 15 % as likely as with the best one. Left out, from groups and "
+        "comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects "
+        "shown and not felt (unless you include them), participants who have withdrawn, and simulated "
+        "participants where there are people.");
 }
 
 QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {

@@ -133,8 +133,8 @@ private:
             if (seen[i] && column.owner != nullptr) {
                 if (present.own != nullptr && present.own != column.owner)
                     return refuse(1, std::string(column.name),
-                                  "no column beside those of " + std::string(present.own->of) +
-                                      " that describes another exercise");
+                                  "only columns of one exercise: the file already has those of " +
+                                      std::string(present.own->of));
                 present.own = column.owner;
             } else if (seen[i] && column.group != nullptr) {
                 present.*column.group = true;

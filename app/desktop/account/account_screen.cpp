@@ -306,7 +306,7 @@ void AccountScreen::passwordChanged(const tl::expected<void, database::Refusal>&
     if (done) {
         m_newPassword->clear();
         m_passwordNotice->say(
-            "good", tr("Your password is changed. From your next login, only the new one is valid."));
+            "good", tr("Your password has been changed. From your next login, only the new one is valid."));
     } else if (done.error().kind == database::Refusal::Kind::wrong) {
         m_passwordNotice->say("warning", tr("The current password is wrong. Nothing was changed. Passwords "
                                             "are case-sensitive; check Caps Lock."));

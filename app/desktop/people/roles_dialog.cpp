@@ -36,9 +36,9 @@ void RolesDialog::submit() {
             if (done) {
                 emit changed();
                 context().messages().done(m_person.id == context().actor().personId()
-                                              ? tr("Your roles are changed. The list on the left shows the "
-                                                   "screens that go with them.")
-                                              : tr("The roles of %1 are changed.").arg(name));
+                                              ? tr("Your roles have been changed. The list on the left shows "
+                                                   "the screens that go with them.")
+                                              : tr("The roles of %1 have been changed.").arg(name));
                 accept();
             } else if (done.error().code == core::ErrorCode::wrongUse) {
                 // This is the only rule that a choice of roles can violate.

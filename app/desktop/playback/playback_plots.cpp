@@ -50,9 +50,9 @@ QWidget* PlaybackPlots::zoomRow() {
         return button;
     };
     m_zoomIn =
-        add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
-    m_zoomOut =
-        add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
+        add("playback.zoom_in", "zoom-in", tr("Zoom in: show less time (+)"), [this] { zoom(kZoomStep); });
+    m_zoomOut = add("playback.zoom_out", "zoom-out", tr("Zoom out: show more time (-)"),
+                    [this] { zoom(1.0 / kZoomStep); });
     m_zoomWhole = add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"),
                       [this] { zoomWhole(); });
     showButtons();

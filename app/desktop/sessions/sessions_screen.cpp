@@ -135,16 +135,13 @@ QString SessionsScreen::title() const {
 
 QString SessionsScreen::help() const {
     return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from "
-              "the lists beside it to narrow "
-              "the list. What you choose stays for the rest of the day. A link from another screen, such as "
-              "\"List of sessions to review\", shows its own list "
-              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Enter or "
-              "double-click to open "
-              "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows "
-              "how they develop at its exercise and "
-              "level. \"Void\" asks for a reason and takes a session out of every count; the recording is "
-              "kept, and \"Count it again\" takes the "
-              "decision back. \"Archive\" takes it out of the usual lists and can be undone.");
+              "the lists beside it to narrow the list. What you choose stays for the rest of the day. A link "
+              "from another screen, such as \"List of sessions to review\", shows its own list and leaves "
+              "your choice as it was. Click a column header to sort by it.\n\nPress Enter or double-click to "
+              "open the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" "
+              "shows how this person develops at that session's exercise and level. \"Void\" asks for a "
+              "reason and takes a session out of every count; the recording is kept, and \"Count it again\" "
+              "takes the decision back. \"Archive\" takes it out of the usual lists and can be undone.");
 }
 
 QWidget* SessionsScreen::buildHead() {

@@ -54,8 +54,8 @@ StorageNotice StorageWords::automatic(const database::BackupStanding& standing, 
             "warning",
             tr("Automatic backups are off. Only backups that you make yourself protect what is recorded.")};
     if (!standing.problem.empty())
-        return {"bad", tr("The automatic backup %1 was not made. It will be tried again; make one yourself "
-                          "until then.\nDetails: %2")
+        return {"bad", tr("An automatic backup failed %1. It will be tried again; in the meantime, make one "
+                          "yourself.\nDetails: %2")
                            .arg(SessionWords::ago(SessionWords::timeOf(standing.triedUtc), now, locale),
                                 QString::fromStdString(standing.problem))};
     const QDateTime good = SessionWords::timeOf(standing.goodUtc);

@@ -147,7 +147,7 @@ void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
     grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides,
                [this](bool to) { takeBothSides(to); });
     grid.explain(QStringLiteral("differences.both"),
-                 tr("Objects with less of the attribute than the reference are presented as well."));
+                 tr("Objects whose attribute is weaker than the reference's are presented as well."));
     // A table that already has them can be regenerated without them.
     grid.setShown(QStringLiteral("differences.both"), m_mayBeLess || m_bothSides);
 }

@@ -274,23 +274,25 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
         const QString still = field->before();
         switch (found.fault) {
         case ReadQuantity::Fault::empty:
-            refuse(name, tr("A number is needed here. %1 is still set.").arg(still));
+            refuse(name, tr("A number is needed here. The value is still %1.").arg(still));
             return;
         case ReadQuantity::Fault::noNumber:
         case ReadQuantity::Fault::otherUnit:
-            refuse(name, unit.isEmpty()
-                             ? tr("“%1” was not taken: enter a number without a unit. %2 is still set.")
-                                   .arg(typed, still)
-                             : tr("“%1” was not taken: enter a value in %2. %3 is still set.")
-                                   .arg(typed, unit, still));
+            refuse(name,
+                   unit.isEmpty()
+                       ? tr("“%1” was not accepted: enter a number without a unit. The value is still %2.")
+                             .arg(typed, still)
+                       : tr("“%1” was not accepted: enter a value in %2. The value is still %3.")
+                             .arg(typed, unit, still));
             return;
         case ReadQuantity::Fault::none:
             break;
         }
         refuse(name, field->inRange(found.value)
-                         ? tr("“%1” was not taken: it has more decimals than are kept here. %2 is still set.")
+                         ? tr("“%1” was not accepted: it has more decimals than this field keeps. The value "
+                              "is still %2.")
                                .arg(typed, still)
-                         : tr("“%1” was not taken: choose a value from %2 to %3. %4 is still set.")
+                         : tr("“%1” was not accepted: choose a value from %2 to %3. The value is still %4.")
                                .arg(typed, limit(field->minimum()), limit(field->maximum()) + field->suffix(),
                                     still));
     };
@@ -338,11 +340,12 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
         if (!grid)
             return;
         const QString still = field->before();
-        refuse(name, typed.isEmpty()
-                         ? tr("A number is needed here. %1 is still set.").arg(still)
-                         : tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
-                               .arg(typed, m_locale.toString(field->minimum()),
-                                    m_locale.toString(field->maximum()), still));
+        refuse(name,
+               typed.isEmpty()
+                   ? tr("A number is needed here. The value is still %1.").arg(still)
+                   : tr("“%1” was not accepted: enter a whole number from %2 to %3. The value is still %4.")
+                         .arg(typed, m_locale.toString(field->minimum()), m_locale.toString(field->maximum()),
+                              still));
     };
     forgetWhenTaken(field, name);
     field->keep();
@@ -415,7 +418,7 @@ QLineEdit* FieldGrid::list(const QString& label, const QString& name, const std:
                     });
                 const QString words =
                     read.unread.isEmpty() && outside != read.values.end()
-                        ? tr("“%1” was not taken: each number has to be from %2 to %3.")
+                        ? tr("“%1” was not accepted: each number has to be from %2 to %3.")
                               .arg(m_locale.toString(*outside, 'g', 6), limit(range.minimum), most)
                         : unreadWords(read);
                 setUnread(name, words);

@@ -50,8 +50,8 @@ ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, cons
         m_table->horizontalHeaderItem(orderColumn)
             ->setToolTip(tr("The row of the order design (%1), counted from 1: it says in which order this "
                             "participant does the conditions. Whoever is enrolled gets the next free row, "
-                            "and the row of somebody who withdraws becomes free again, so it need not be the "
-                            "order of enrolment.")
+                            "and the row of somebody who withdraws becomes free again, so the rows need not "
+                            "follow the order of enrolment.")
                              .arg(study_words::order(study.design.order)));
         fill(selected);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);

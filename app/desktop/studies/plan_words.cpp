@@ -16,12 +16,15 @@ QString runsWithoutValueWords(const psychophysics::ConditionPlan& plan, const QL
     if (plan.withoutValue.value_or(0) == 0)
         return PlanWords::tr("All of %1 simulated runs gave a usable value.").arg(runs);
     const QString said =
-        PlanWords::tr("%1 of %2 simulated runs gave no usable value; groups leave such runs out.")
-            .arg(locale.toString(*plan.withoutValue), runs);
+        PlanWords::tr(
+            "%n of %1 simulated run(s) gave no usable value; such runs are left out of group values.",
+            nullptr, *plan.withoutValue)
+            .arg(runs);
     return plan.trialsForValues == 0
                ? said
                : said + QLatin1Char(' ') +
-                     PlanWords::tr("From about %1 trials on, fewer than 1 run in 20 gives none.")
+                     PlanWords::tr(
+                         "With about %1 trials or more, fewer than 1 run in 20 gives no usable value.")
                          .arg(locale.toString(plan.trialsForValues));
 }
 

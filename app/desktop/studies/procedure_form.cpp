@@ -368,14 +368,14 @@ void ProcedureForm::parameterField(const Parameter& row, const std::vector<Param
                    {units.lowestPercent(), kMost_percent, 2, QStringLiteral("%"), 1},
                    {[units](double x) { return units.percentOf(x); },
                     [units](double percent) { return units.xOf(percent); }},
-                   tr("Thresholds between these two values are considered possible."), taken);
+                   tr("The threshold is assumed to lie between these two values."), taken);
     else if (grid.name == "sd")
         gridFields(tr("Spread"), key, grid.values,
                    {units.spreadIsFactor() ? 1.0 : 0.0, kMost_percent, 2,
                     units.spreadIsFactor() ? QStringLiteral("×") : QStringLiteral("%"), 1},
                    {[units](double x) { return units.spreadOf(x); },
                     [units](double percent) { return units.distanceOf(percent); }},
-                   tr("Spreads of the answers between these two values are considered possible."), taken);
+                   tr("The spread of the answers is assumed to lie between these two values."), taken);
     else if (grid.name == "lapse_rate" || grid.name == "lower_asymptote")
         sharesField(study_words::parameter(grid.name), key, grid.values,
                     {0, kPercent, 1, QStringLiteral("%")},

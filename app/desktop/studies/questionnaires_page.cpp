@@ -80,7 +80,8 @@ QWidget* QuestionnairesPage::addButtons(bool first) {
     add->setObjectName(QStringLiteral("questionnaires.add"));
     connect(add, &QPushButton::clicked, this, &QuestionnairesPage::addQuestionnaire);
     row->addWidget(add);
-    auto* instrument = kit::button(theme, tr("Add an instrument …"), "", QStringLiteral("list-add"));
+    auto* instrument =
+        kit::button(theme, tr("Add a published questionnaire …"), "", QStringLiteral("list-add"));
     instrument->setObjectName(QStringLiteral("questionnaires.instrument"));
     instrument->setToolTip(tr("Published questionnaires with their scores, and what is written down when a "
                               "participant is enrolled"));
@@ -92,8 +93,8 @@ QWidget* QuestionnairesPage::addButtons(bool first) {
 void QuestionnairesPage::chooseInstrument() {
     const auto instruments = catalogue::loadInstruments();
     if (!instruments) {
-        m_page.app.messages().error(tr("The instruments could not be read."), instruments.error(),
-                                    Tried::reading);
+        m_page.app.messages().error(tr("The published questionnaires could not be read."),
+                                    instruments.error(), Tried::reading);
         return;
     }
     auto* menu = new QMenu(this);
@@ -118,7 +119,7 @@ void QuestionnairesPage::chooseInstrument() {
 
 void QuestionnairesPage::addInstrument(const catalogue::Instrument& instrument) {
     m_page.draft.change(
-        tr("Add an instrument"), {},
+        tr("Add a published questionnaire"), {},
         [&](StudyDesign& design) { design.questionnaires.push_back(instrument.questionnaire); }, true);
 }
 

@@ -225,7 +225,7 @@ QWidget* RulesPage::orderBox(const DesignPage& page) {
             grid->setUnread(
                 QStringLiteral("design.seed"),
                 good ? QString()
-                     : RulesPage::tr("“%1” was not taken: enter a whole number from 0 to %2.")
+                     : RulesPage::tr("“%1” was not accepted: enter a whole number from 0 to %2.")
                            .arg(now, locale.toString(static_cast<qulonglong>(catalogue::kLargestSeed))));
             if (good)
                 draft.change(RulesPage::tr("Seed"), QStringLiteral("design.seed"),
@@ -249,7 +249,7 @@ QWidget* RulesPage::fidelityBox(const DesignPage& page) {
                                             &StudyDesign::fidelity, tr("Limits of fidelity")};
     fields.number(tr("Force error"), "force_error", &FidelityLimits::forceErrorRms_N,
                   {0.001, 100, 3, QStringLiteral("N"), 0.01},
-                  tr("How far the measured force may be from the commanded one, root mean square."), 0.15);
+                  tr("How far the measured force may be from the commanded one (root mean square)."), 0.15);
     fields.percent(tr("Error of the felt value"), "stiffness_error", &FidelityLimits::stiffnessError, 0.1,
                    1000, tr("How far the rendered value may be from the requested one."), 15);
     fields.percent(tr("Late ticks"), "late_ticks", &FidelityLimits::lateTicks, 0, 100,

@@ -18,8 +18,8 @@ bool studyDeviceRendersForce() {
 }
 
 QString shownOnlyWords() {
-    return DeviceWords::tr("The device of this station renders no force: objects are shown, not felt. Groups "
-                           "and comparisons leave such runs out, unless you include them under Data.");
+    return DeviceWords::tr("The device of this station renders no force: objects are shown, not felt. Such "
+                           "runs are left out of groups and comparisons unless you include them under Data.");
 }
 
 } // namespace chiron::desktop

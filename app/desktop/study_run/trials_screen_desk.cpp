@@ -173,11 +173,10 @@ void TrialsScreen::sayEnd() {
                         nullptr, left),
                      {});
     else if (session::participantView(m_live->design()).questionsAfter > 0)
-        m_break->say(
-            tr("All trials are finished"),
-            tr("Thank you. Only some questions about the study follow. Please call the experimenter, "
-               "who opens them."),
-            {});
+        m_break->say(tr("All trials are finished"),
+                     tr("Thank you. Only a few questions about the study are left. Please call the "
+                        "experimenter, who opens them."),
+                     {});
     else
         m_break->say(tr("Everything is finished"),
                      tr("Thank you. Nothing more is left for you to do in this study. Please call the "

@@ -178,10 +178,12 @@ QString TrialsScreen::holdWords(const session::LiveStudyView& view) const {
     const bool one = view.places == 1;
     if (view.place < 0)
         return one ? tr("You let go of the object. Raise the tool.")
-                   : tr("You let go of %1. Raise the tool.").arg(name);
+                   : tr("You let go of object %1. Raise the tool.").arg(name);
     if (((view.touched >> place) & 1U) == 0)
-        return one ? tr("You hold the object. Pull it up.") : tr("You hold %1. Pull it up.").arg(name);
-    return (one ? tr("You hold the object.") : tr("You hold %1.").arg(name)) + QLatin1Char(' ') +
+        return one ? tr("You are holding the object. Pull it up.")
+                   : tr("You are holding object %1. Pull it up.").arg(name);
+    return (one ? tr("You are holding the object.") : tr("You are holding object %1.").arg(name)) +
+           QLatin1Char(' ') +
            letGoSentence(m_live->condition().stimulus.attribute, letGo(), context().locale());
 }
 

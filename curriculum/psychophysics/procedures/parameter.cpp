@@ -105,8 +105,8 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
         fewest.meaning = QT_TRANSLATE_NOOP(
-            "Procedures", "The run does not end earlier, however sure the estimate is; 0: no "
-                          "minimum. It matters only where a precision ends the run.");
+            "Procedures", "The run does not end earlier, however sure the estimate is; 0: no minimum. It "
+                          "matters only where the run stops at a set precision.");
         fewest.usual = UsualValue{}; // 20 for rankings; others end by their number of trials alone
         sd.title = QT_TRANSLATE_NOOP("Procedures", "Stop at this precision");
         sd.meaning = QT_TRANSLATE_NOOP(

@@ -88,16 +88,17 @@ std::vector<Parameter> questPlusRows() {
     using Spec = QuestPlusSpec;
     std::vector<Parameter> rows{
         functionRow(),
-        rowOf(
-            &Spec::repeatLimit,
-            {.key = "repeat_limit",
-             .maximum = 1000,
-             .description = "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
-                            "as often as it is best.",
-             .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
-             .meaning = QT_TRANSLATE_NOOP(
-                 "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
-             .usual = UsualValue{}}),
+        rowOf(&Spec::repeatLimit,
+              {.key = "repeat_limit",
+               .maximum = 1000,
+               .description =
+                   "the same stimulus, in whatever rows it is given, at most this often in a row; 0 "
+                   "as often as it is best.",
+               .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures",
+                   "The same difference is presented at most this many times in a row; 0: no limit."),
+               .usual = UsualValue{}}),
         rowOf(&Spec::catchEvery,
               {.key = "catch_every",
                .quantity = Quantity::share,

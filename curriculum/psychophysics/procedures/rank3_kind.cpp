@@ -26,7 +26,7 @@ std::vector<Parameter> rank3Rows() {
                         "as often as it is best.",
          .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
          .meaning = QT_TRANSLATE_NOOP(
-             "Procedures", "The same difference is shown at most this many times in a row; 0: no limit."),
+             "Procedures", "The same difference is presented at most this many times in a row; 0: no limit."),
          .usual = UsualValue{}})};
     // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
@@ -65,7 +65,7 @@ std::vector<Parameter> rank3Rows() {
                .title = QT_TRANSLATE_NOOP("Procedures", "Just noticeable difference"),
                .meaning = QT_TRANSLATE_NOOP(
                    "Procedures",
-                   "Just noticeable differences between these two values are considered possible.")}),
+                   "The just noticeable difference is assumed to lie between these two values.")}),
         rowOf(&Spec::differences,
               {.key = "differences",
                .unit = "log10",

@@ -100,9 +100,9 @@ std::vector<Parameter> staircaseRows() {
                .description = "size of steps up, by the number of reversals so far; the last one is kept.",
                .item = "A step.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Steps up"),
-               .meaning =
-                   QT_TRANSLATE_NOOP("Procedures", "The first is used until the first reversal, and the next "
-                                                   "one from each reversal on; the last one is kept."),
+               .meaning = QT_TRANSLATE_NOOP("Procedures",
+                                            "The first step is used until the first reversal, then the next "
+                                            "one after each reversal; the last one stays in use."),
                .asStored = hasLogarithmicSteps}),
         rowOf(&Spec::stepsDown,
               {.key = "steps_down",

@@ -126,8 +126,8 @@ void TestAccount::changesThePassword() {
     QVERIFY(!desk.isEnabled("account.change_password"));
     desk.set("account.repeat", "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
-                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.notice("account.password_notice").contains(QStringLiteral("has been changed")), kPatience_ms);
     QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty() &&
             desk.find<QLineEdit>(QStringLiteral("account.password"))->text().isEmpty());
     database::AccountService accounts(desk.database());
@@ -153,8 +153,8 @@ void TestAccount::aWrongOldPasswordChangesNothing() {
                              kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
-                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.notice("account.password_notice").contains(QStringLiteral("has been changed")), kPatience_ms);
 }
 
 /// The keys go to it and replace what is there; with the first of them the words are gone.
@@ -243,8 +243,8 @@ void TestAccount::enterDoesWhatHasTheFocus() {
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     QVERIFY(tabTo(QStringLiteral("account.change_password")));
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")),
-                             kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.notice("account.password_notice").contains(QStringLiteral("has been changed")), kPatience_ms);
 }
 
 /// Somebody who became an administrator: Home says so until it is done, and the code that is shown works.

@@ -189,7 +189,7 @@ private slots:
         const auto saysSo = [&desktop] {
             for (const QLabel* label :
                  desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text")))
-                if (label->text().contains(QStringLiteral("was not made")))
+                if (label->text().contains(QStringLiteral("An automatic backup failed")))
                     return true;
             return false;
         };

@@ -310,8 +310,10 @@ void TestGroupWords::oneRuleForGroupsAndComparisons() {
              Presence::guessing);
     QVERIFY(!session_report::presenceWords(Presence::guessing)
                  .contains(QStringLiteral("guess"))); // what leaves it out is the end of the value
-    QVERIFY(session_report::groupRule().contains(QStringLiteral("rule out a threshold far below")));
-    QVERIFY(session_report::groupRule().contains(QStringLiteral("whether or not it is finished")));
+    QVERIFY(session_report::groupRule().contains(
+        QStringLiteral("answers rule out two things: a threshold far below the smallest difference")));
+    QVERIFY(
+        session_report::groupRule().contains(QStringLiteral("that the run is unfinished, do not matter")));
 
     // A and B did both conditions; B's answers do not bound the second value. C did the second alone.
     session::StudyAnalysis study;

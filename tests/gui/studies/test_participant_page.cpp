@@ -267,13 +267,14 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
     QVERIFY(reach(live, -0.04, 0.0333)); // 1 N and more
     QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral(
-                                  "You hold 1. To let go, lower the tool below the dashed line")) &&
-                                  why->text().endsWith(QStringLiteral("Touch next: 2, 3.")),
-                              qPrintable(why->text()), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        why->text().startsWith(
+            QStringLiteral("You are holding object 1. To let go, lower the tool below the dashed line")) &&
+            why->text().endsWith(QStringLiteral("Touch next: 2, 3.")),
+        qPrintable(why->text()), kPatience_ms);
     const auto& scene = live.level().parameters.as<simulation::ComparisonParameters>();
     QVERIFY(reach(live, -0.04, simulation::letGoHeight_m(scene) - 0.0005)); // just below the line
-    const QString letGo = QStringLiteral("You let go of 1. Raise the tool. Touch next: 2, 3.");
+    const QString letGo = QStringLiteral("You let go of object 1. Raise the tool. Touch next: 2, 3.");
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.045)); // straight up through the ring, which takes no hold again
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
@@ -382,7 +383,8 @@ void TestParticipantPage::aFurtherPartIsShort() {
                      QStringLiteral("\n\nApart from this, you explore and answer as in the previous part")),
              qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
-    QVERIFY2(said("break.text").contains(QStringLiteral("more than 4\u00a0N")), qPrintable(said("break.text")));
+    QVERIFY2(said("break.text").contains(QStringLiteral("more than 4\u00a0N")),
+             qPrintable(said("break.text")));
     tests::sittingButton(screen, "break.more")->click();
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) &&
             said("break.text").contains(partText()));
@@ -543,13 +545,13 @@ void TestParticipantPage::theHandIsToldBeforeTheLimit() {
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
     QVERIFY(reach(live, -0.04, 0.060) && reach(live, -0.04, 0.027)); // in the ring of the first
     QVERIFY(reach(live, -0.04, 0.031));                              // less than 1 N
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1.")), qPrintable(why->text()),
-                              kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You are holding object 1.")),
+                              qPrintable(why->text()), kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.036)); // 1.8 N and more
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull less hard."), kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.031));
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You hold 1.")), qPrintable(why->text()),
-                              kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You are holding object 1.")),
+                              qPrintable(why->text()), kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 

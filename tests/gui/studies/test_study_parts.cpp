@@ -650,7 +650,7 @@ void TestStudyParts::whatIsTypedIsTakenOrTold() {
         emptied->selectAll();
         QTest::keyClick(emptied, Qt::Key_Delete);
         QTest::keyClick(emptied, Qt::Key_Return);
-        QVERIFY2(grid->faultOf(emptied->objectName()).contains(QStringLiteral("still set")),
+        QVERIFY2(grid->faultOf(emptied->objectName()).contains(QStringLiteral("The value is still")),
                  qPrintable(grid->faultOf(emptied->objectName())));
     }
     QCOMPARE(taken, 120.0);
@@ -701,7 +701,8 @@ void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
     QVERIFY(stateOf("force", facts) == State::advice);
     for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, facts, m_locale))
         if (each.name == u"force")
-            QVERIFY2(each.words.contains(QStringLiteral("leave such runs out")) && each.tab < 0,
+            QVERIFY2(each.words.contains(QStringLiteral("left out of groups and comparisons")) &&
+                         each.tab < 0,
                      qPrintable(each.words));
 }
 
@@ -729,9 +730,9 @@ void TestStudyParts::runsWithoutValuesAreToldBeforeFreezing() {
     QVERIFY(values()->state == State::good && values()->words.contains(QStringLiteral("1 of 40")));
     facts.plans->back().withoutValue = 18;
     QVERIFY(values()->state == State::advice && values()->words.contains(QStringLiteral("18 of 40")));
-    QVERIFY(!values()->words.contains(QStringLiteral("From about")));
+    QVERIFY(!values()->words.contains(QStringLiteral("With about")));
     facts.plans->back().trialsForValues = 30;
-    QVERIFY2(values()->words.contains(QStringLiteral("From about 30 trials on")),
+    QVERIFY2(values()->words.contains(QStringLiteral("With about 30 trials or more")),
              qPrintable(values()->words));
 }
 

@@ -389,7 +389,7 @@ void TestStudyScreens::runsInOrder() {
     QString leftOut;
     for (const QLabel* label : onlyShown->findChildren<QLabel*>())
         leftOut += label->text();
-    QVERIFY2(leftOut.contains(QStringLiteral("leave such runs out")), qPrintable(leftOut));
+    QVERIFY2(leftOut.contains(QStringLiteral("left out of groups and comparisons")), qPrintable(leftOut));
     for (const QLabel* label :
          m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
         QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));

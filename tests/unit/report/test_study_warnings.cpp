@@ -154,9 +154,9 @@ void TestStudyWarnings::dataStayEnglish() {
 void TestStudyWarnings::oneAndMany() {
     const Spoken spoken(QStringLiteral("de"));
     QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 1}),
-             QStringLiteral("1 Person, die zurückgetreten ist, ist ausgelassen."));
+             QStringLiteral("1 Person, die ihre Teilnahme zurückgezogen hat, zählt nicht mit."));
     QCOMPARE(session_report::warningWords({WarningKind::withdrawn, 3}),
-             QStringLiteral("3 Personen, die zurückgetreten sind, sind ausgelassen."));
+             QStringLiteral("3 Personen, die ihre Teilnahme zurückgezogen haben, zählen nicht mit."));
 }
 
 QTEST_MAIN(TestStudyWarnings)
