@@ -203,7 +203,7 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
     return QJsonDocument(json).toJson();
 }
 
-/// The columns of tissue that gave way are there only where it did.
+/// The columns of what gave way are there only where something did.
 bool haveYields(const std::vector<BidsSpan>& spans) {
     return std::any_of(spans.begin(), spans.end(),
                        [](const BidsSpan& span) { return span.yield.has_value(); });
@@ -220,13 +220,13 @@ template <int axis> QString placeOf(const BidsYield& yield) {
     return yield.p_W ? exportNumber((*yield.p_W)[axis]) : kNotAvailable;
 }
 
-constexpr const char* kPlace = "tip of the tool where tissue gave way, in the frame of the motion file";
+constexpr const char* kPlace = "tip of the tool at that moment, in the frame of the motion file";
 constexpr std::array kYieldColumns{
-    YieldColumn{"tool", "", "tool under which tissue gave way, from 0, which is that of the motion file",
+    YieldColumn{"tool", "", "tool concerned, from 0, which is that of the motion file",
                 [](const BidsYield& yield) { return QString::number(yield.tool); }},
-    YieldColumn{"force", "N", "force under which tissue gave way",
+    YieldColumn{"force", "N", "force at which it gave way or came off",
                 [](const BidsYield& yield) { return exportNumber(yield.load.force_N); }},
-    YieldColumn{"torque", "N m", "torque under which tissue gave way",
+    YieldColumn{"torque", "N m", "torque at which it gave way",
                 [](const BidsYield& yield) { return exportNumber(yield.load.torque_Nm); }},
     YieldColumn{"position_x", "m", kPlace, placeOf<0>},
     YieldColumn{"position_y", "m", kPlace, placeOf<1>},
@@ -260,8 +260,8 @@ QByteArray eventsJson(const std::vector<BidsSpan>& spans, const BidsMeaning& mea
     const bool yields = haveYields(spans);
     if (yields)
         levels.insert(QLatin1String(kTissueYielded),
-                      "tissue gave way under a tool (a perforation, rupture or tear); it has no duration, "
-                      "and its ordinal is that of the trial");
+                      "tissue gave way to a tool (a perforation, rupture or tear), or an object of a study "
+                      "came off it; it has no duration, and its ordinal is that of the trial");
     QJsonObject json{
         {"onset",
          QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
