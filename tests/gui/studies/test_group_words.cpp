@@ -313,7 +313,7 @@ void TestGroupWords::oneRuleForGroupsAndComparisons() {
     QVERIFY(session_report::groupRule().contains(
         QStringLiteral("answers rule out two things: a threshold far below the smallest difference")));
     QVERIFY(
-        session_report::groupRule().contains(QStringLiteral("that the run is unfinished, do not matter")));
+        session_report::groupRule().contains(QStringLiteral("does not matter whether the run is finished")));
 
     // A and B did both conditions; B's answers do not bound the second value. C did the second alone.
     session::StudyAnalysis study;
