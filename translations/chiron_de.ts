@@ -6742,8 +6742,8 @@ Einzelheiten: %2</translation>
         <translation>Zwischen „%1“ und „%2“ zeigt sich kein Unterschied (Verhältnis %3, 95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: too few participants</source>
-        <translation>praktisch unbegrenzt: zu wenige Teilnehmende</translation>
+        <source>unbounded in practice (too few participants)</source>
+        <translation>praktisch unbegrenzt (zu wenige Teilnehmende)</translation>
     </message>
     <message>
         <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
@@ -6818,8 +6818,8 @@ Einzelheiten: %2</translation>
         <translation>Der Weber-Bruch von „%1“ ist %2-mal so groß wie der von „%3“ (95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: participants are too few, or differ too much</source>
-        <translation>praktisch unbegrenzt: zu wenige oder zu unterschiedliche Teilnehmende</translation>
+        <source>unbounded in practice (participants are too few, or differ too much)</source>
+        <translation>praktisch unbegrenzt (zu wenige oder zu unterschiedliche Teilnehmende)</translation>
     </message>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>

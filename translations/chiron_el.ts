@@ -6742,8 +6742,8 @@ Details: %2</source>
         <translation>Δεν φαίνεται διαφορά μεταξύ «%1» και «%2» (λόγος %3, διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: too few participants</source>
-        <translation>πρακτικά απεριόριστο: πολύ λίγοι συμμετέχοντες</translation>
+        <source>unbounded in practice (too few participants)</source>
+        <translation>πρακτικά απεριόριστο (πολύ λίγοι συμμετέχοντες)</translation>
     </message>
     <message>
         <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
@@ -6818,8 +6818,8 @@ Details: %2</source>
         <translation>Το κλάσμα Weber της «%1» είναι %2 φορές εκείνο της «%3» (διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: participants are too few, or differ too much</source>
-        <translation>πρακτικά απεριόριστο: οι συμμετέχοντες είναι πολύ λίγοι ή διαφέρουν πολύ μεταξύ τους</translation>
+        <source>unbounded in practice (participants are too few, or differ too much)</source>
+        <translation>πρακτικά απεριόριστο (οι συμμετέχοντες είναι πολύ λίγοι ή διαφέρουν πολύ μεταξύ τους)</translation>
     </message>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>

@@ -428,7 +428,7 @@ void TestGroupWords::theTaskIsDoubtedOnlyOfGuessers() {
 void TestGroupWords::verdictsSayNoMoreThanTheNumbers() {
     QString said = verdictOf(comparedBy(1.0, 3.3e-6, 303393.0, 1.0));
     QVERIFY2(said.startsWith(QStringLiteral("No difference between “Soft” and “Stiff” is shown")) &&
-                 said.contains(QStringLiteral("unbounded in practice: too few participants")) &&
+                 said.contains(QStringLiteral("unbounded in practice (too few participants)")) &&
                  said.contains(
                      QStringLiteral("With 2 participants in both conditions, even a tenfold difference")),
              qPrintable(said));
