@@ -2851,6 +2851,18 @@ Einzelheiten: %2</translation>
         <source>%1, one broken off</source>
         <translation>%1, eine abgebrochen</translation>
     </message>
+    <message>
+        <source>not begun before the participant withdrew</source>
+        <translation>nicht begonnen, bevor die Person ihre Teilnahme zurückzog</translation>
+    </message>
+    <message>
+        <source>%1, with questions to answer</source>
+        <translation>%1, Fragen noch zu beantworten</translation>
+    </message>
+    <message>
+        <source>The questionnaire “%1” is not answered yet.</source>
+        <translation>Der Fragebogen „%1“ ist noch nicht beantwortet.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -6698,7 +6710,7 @@ Einzelheiten: %2</translation>
         <translation>die Antworten ergeben noch keinen Wert</translation>
     </message>
     <message>
-        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). Other warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). It does not matter whether the run is finished, or which other warnings it has. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
         <translation>Ein Lauf zählt, wenn seine Antworten zweierlei ausschließen: eine Schwelle weit unter dem kleinsten dargebotenen Unterschied (meist ein Zehntel davon) und eine weit über dem größten (meist das Zehnfache). Andere Warnungen spielen keine Rolle, ebenso wenig, ob der Lauf beendet ist. „Ausschließen“ heißt: Mit einer solchen Schwelle sind die Antworten nicht einmal 15 % so wahrscheinlich wie mit der besten. In Gruppen und ebenso in Vergleichen zählen nicht: Läufe, deren Antworten nicht beides ausschließen oder keinen Wert ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (es sei denn, Sie beziehen sie ein), Personen, die ihre Teilnahme zurückgezogen haben, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
     </message>
     <message>
@@ -6730,8 +6742,8 @@ Einzelheiten: %2</translation>
         <translation>Zwischen „%1“ und „%2“ zeigt sich kein Unterschied (Verhältnis %3, 95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: too few participants</source>
-        <translation>praktisch unbegrenzt: zu wenige Teilnehmende</translation>
+        <source>unbounded in practice (too few participants)</source>
+        <translation>praktisch unbegrenzt (zu wenige Teilnehmende)</translation>
     </message>
     <message>
         <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
@@ -6806,8 +6818,8 @@ Einzelheiten: %2</translation>
         <translation>Der Weber-Bruch von „%1“ ist %2-mal so groß wie der von „%3“ (95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: participants are too few, or differ too much</source>
-        <translation>praktisch unbegrenzt: zu wenige oder zu unterschiedliche Teilnehmende</translation>
+        <source>unbounded in practice (participants are too few, or differ too much)</source>
+        <translation>praktisch unbegrenzt (zu wenige oder zu unterschiedliche Teilnehmende)</translation>
     </message>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
@@ -7455,6 +7467,17 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>Since the previous attempt: %1</source>
         <translation>Seit dem vorigen Versuch: %1</translation>
+    </message>
+</context>
+<context>
+    <name>WeightCheck</name>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>The heaviest object weighs %1 N. From %2 N on, which is 80 % of the largest force of a trial, participants are told to pull less hard, so merely holding this object would give it away. Allow at least %3 N, or choose lighter objects.</source>
+        <translation>Das schwerste Objekt wiegt %1 N. Ab %2 N, das sind 80 % der größten Kraft eines Durchgangs, lesen die Teilnehmenden, dass sie weniger stark ziehen sollen; schon es zu halten würde dieses Objekt verraten. Lassen Sie mindestens %3 N zu, oder wählen Sie leichtere Objekte.</translation>
     </message>
 </context>
 <context>
@@ -17146,6 +17169,14 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Press less hard.</source>
         <translation>Drücken Sie weniger stark.</translation>
+    </message>
+    <message>
+        <source>Pull less hard in this trial.</source>
+        <translation>Ziehen Sie in diesem Durchgang weniger stark.</translation>
+    </message>
+    <message>
+        <source>Press less hard in this trial.</source>
+        <translation>Drücken Sie in diesem Durchgang weniger stark.</translation>
     </message>
 </context>
 <context>

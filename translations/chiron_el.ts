@@ -2851,6 +2851,18 @@ Details: %2</source>
         <source>%1, one broken off</source>
         <translation>%1, μία σταμάτησε</translation>
     </message>
+    <message>
+        <source>not begun before the participant withdrew</source>
+        <translation>δεν ξεκίνησε πριν αποσυρθεί ο συμμετέχων</translation>
+    </message>
+    <message>
+        <source>%1, with questions to answer</source>
+        <translation>%1, με ερωτήσεις προς απάντηση</translation>
+    </message>
+    <message>
+        <source>The questionnaire “%1” is not answered yet.</source>
+        <translation>Το ερωτηματολόγιο «%1» δεν έχει απαντηθεί ακόμη.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -6698,7 +6710,7 @@ Details: %2</source>
         <translation>οι απαντήσεις δεν δίνουν ακόμη τιμή</translation>
     </message>
     <message>
-        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). Other warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <source>A run counts if its answers rule out two things: a threshold far below the smallest difference presented (usually a tenth of it) and one far above the largest (usually ten times it). It does not matter whether the run is finished, or which other warnings it has. “Rule out” means that with such a threshold the answers are less than 15 % as likely as with the best one. Left out, from groups and comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
         <translation>Μια εκτέλεση μετράει αν οι απαντήσεις της αποκλείουν δύο πράγματα: ένα κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε (συνήθως το ένα δέκατό της) και ένα πολύ πάνω από τη μεγαλύτερη (συνήθως το δεκαπλάσιό της). Άλλες προειδοποιήσεις, ή το ότι η εκτέλεση δεν ολοκληρώθηκε, δεν έχουν σημασία. «Αποκλείουν» σημαίνει: με ένα τέτοιο κατώφλι η πιθανότητα των απαντήσεων είναι κάτω από το 15 % εκείνης με το καλύτερο. Εξαιρούνται, από ομάδες και συγκρίσεις εξίσου, εκτελέσεις που οι απαντήσεις τους δεν αποκλείουν και τα δύο ή δεν δίνουν τιμή, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
     </message>
     <message>
@@ -6730,8 +6742,8 @@ Details: %2</source>
         <translation>Δεν φαίνεται διαφορά μεταξύ «%1» και «%2» (λόγος %3, διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: too few participants</source>
-        <translation>πρακτικά απεριόριστο: πολύ λίγοι συμμετέχοντες</translation>
+        <source>unbounded in practice (too few participants)</source>
+        <translation>πρακτικά απεριόριστο (πολύ λίγοι συμμετέχοντες)</translation>
     </message>
     <message>
         <source>Every answer was right: the threshold may lie below the smallest difference presented, but how far below is not known.</source>
@@ -6806,8 +6818,8 @@ Details: %2</source>
         <translation>Το κλάσμα Weber της «%1» είναι %2 φορές εκείνο της «%3» (διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
-        <source>unbounded in practice: participants are too few, or differ too much</source>
-        <translation>πρακτικά απεριόριστο: οι συμμετέχοντες είναι πολύ λίγοι ή διαφέρουν πολύ μεταξύ τους</translation>
+        <source>unbounded in practice (participants are too few, or differ too much)</source>
+        <translation>πρακτικά απεριόριστο (οι συμμετέχοντες είναι πολύ λίγοι ή διαφέρουν πολύ μεταξύ τους)</translation>
     </message>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
@@ -7455,6 +7467,17 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>Since the previous attempt: %1</source>
         <translation>Από την προηγούμενη προσπάθεια: %1</translation>
+    </message>
+</context>
+<context>
+    <name>WeightCheck</name>
+    <message>
+        <source>Largest force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>The heaviest object weighs %1 N. From %2 N on, which is 80 % of the largest force of a trial, participants are told to pull less hard, so merely holding this object would give it away. Allow at least %3 N, or choose lighter objects.</source>
+        <translation>Το βαρύτερο αντικείμενο ζυγίζει %1 N. Από %2 N και πάνω, δηλαδή το 80 % της μέγιστης δύναμης μιας δοκιμής, οι συμμετέχοντες διαβάζουν να τραβούν λιγότερο δυνατά· και μόνο το κράτημα αυτού του αντικειμένου θα το πρόδιδε. Επιτρέψτε τουλάχιστον %3 N ή επιλέξτε ελαφρύτερα αντικείμενα.</translation>
     </message>
 </context>
 <context>
@@ -17146,6 +17169,14 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Press less hard.</source>
         <translation>Πιέστε λιγότερο δυνατά.</translation>
+    </message>
+    <message>
+        <source>Pull less hard in this trial.</source>
+        <translation>Τραβήξτε λιγότερο δυνατά σε αυτή τη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Press less hard in this trial.</source>
+        <translation>Πιέστε λιγότερο δυνατά σε αυτή τη δοκιμή.</translation>
     </message>
 </context>
 <context>

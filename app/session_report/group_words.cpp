@@ -264,8 +264,9 @@ QStringList reasons(const GroupRoll& roll, Presence presence) {
 QString groupRule() {
     return Words::tr(
         "A run counts if its answers rule out two things: a threshold far below the smallest difference "
-        "presented (usually a tenth of it) and one far above the largest (usually ten times it). Other "
-        "warnings, or that the run is unfinished, do not matter. “Rule out” means that with such a threshold "
+        "presented (usually a tenth of it) and one far above the largest (usually ten times it). It does "
+        "not matter whether the run is finished, or which other warnings it has. “Rule out” means that with "
+        "such a threshold "
         "the answers are less than 15 % as likely as with the best one. Left out, from groups and "
         "comparisons alike, are runs whose answers do not rule out both or give no value, runs with objects "
         "shown and not felt (unless you include them), participants who have withdrawn, and simulated "

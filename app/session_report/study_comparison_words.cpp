@@ -99,13 +99,13 @@ QString verdictAlone(const psychophysics::ConditionComparison& weber, const QStr
 } // namespace
 
 QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written) {
-    return psychophysics::isUnbounded(interval) ? Words::tr("unbounded in practice: too few participants")
+    return psychophysics::isUnbounded(interval) ? Words::tr("unbounded in practice (too few participants)")
                                                 : written;
 }
 
 QString predictionOrUnbounded(const psychophysics::Interval& prediction, const QString& written) {
     return psychophysics::isUnbounded(prediction)
-               ? Words::tr("unbounded in practice: participants are too few, or differ too much")
+               ? Words::tr("unbounded in practice (participants are too few, or differ too much)")
                : written;
 }
 

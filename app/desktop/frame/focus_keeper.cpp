@@ -23,6 +23,7 @@ FocusKeeper::FocusKeeper(QWidget& window) : QObject(&window), m_window(window) {
     // A timer, because a widget that was put into a layout is shown by an event that waits in the queue.
     m_pageComes.setSingleShot(true);
     connect(&m_pageComes, &QTimer::timeout, this, &FocusKeeper::stayNear);
+    window.installEventFilter(this);
 }
 
 bool FocusKeeper::canTake(const QWidget* control) const {
@@ -46,13 +47,15 @@ void FocusKeeper::moved(QWidget* before, QWidget* now) {
         lost(before);
     if (now && now->window() != &m_window)
         return;
-    if (hasGoneWithItsPage()) {
+    // A control that is being destroyed has not gone yet, so that stayNear() looks again.
+    if (!now || (hasGoneWithItsPage() && movedByQt(before))) {
         m_goneFrom = m_around;
         m_fellTo = now;
         m_pageComes.start();
     }
     if (!now)
         return;
+    m_seeks = false;
     m_last = now;
     m_around = placesAround(*now);
     now->installEventFilter(this); // the filter stays until the control is destroyed
@@ -63,6 +66,10 @@ void FocusKeeper::moved(QWidget* before, QWidget* now) {
 bool FocusKeeper::eventFilter(QObject* watched, QEvent* event) {
     auto* control = static_cast<QWidget*>(watched);
     switch (event->type()) {
+    case QEvent::WindowActivate:
+        if (control == &m_window)
+            comesBack();
+        break;
     case QEvent::FocusOut:
         m_movedOn = static_cast<QFocusEvent*>(event)->reason() == Qt::TabFocusReason;
         break;
@@ -103,9 +110,24 @@ bool FocusKeeper::hasGoneWithItsPage() const {
     return !m_around.empty() && (!m_last || (!m_last->isVisible() && !m_last->isHidden()));
 }
 
+/// Qt moves the focus on from a control that is hidden, and to the first control of a window that becomes
+/// active while none of its controls can take the focus. Any other change is a person's, or the program's
+/// own.
+bool FocusKeeper::movedByQt(const QWidget* before) const {
+    return m_seeks || (before && before == m_last && m_movedOn);
+}
+
+/// Comes before the focus does. A control that can take it was chosen while the window was not active.
+void FocusKeeper::comesBack() {
+    const QWidget* chosen = m_window.focusWidget();
+    m_seeks = !chosen || !chosen->isVisible();
+    QMetaObject::invokeMethod(
+        this, [this] { m_seeks = false; }, Qt::QueuedConnection);
+}
+
 void FocusKeeper::stayNear() {
     const QWidget* at = QApplication::focusWidget();
-    if (at != m_fellTo.data() || QApplication::activeModalWidget() ||
+    if (at != m_fellTo.data() || (!at && !hasGoneWithItsPage()) || QApplication::activeModalWidget() ||
         QApplication::activeWindow() != &m_window)
         return;
     for (const QPointer<QWidget>& place : m_goneFrom) {

@@ -8,6 +8,7 @@
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/studies/text_claims.h"
+#include "desktop/studies/weight_check.h"
 #include "session/study/participant_view.h"
 
 #include <QCoreApplication>
@@ -328,6 +329,8 @@ std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFac
                                     practiceCheck(design)};
     if (const auto probe = probeCheck(design, locale))
         checks.push_back(*probe);
+    if (const auto weight = weightCheck(design, locale))
+        checks.push_back(*weight);
     if (const auto sound = maskingCheck(design, facts))
         checks.push_back(*sound);
     if (const auto force = forceCheck(facts))

@@ -35,6 +35,23 @@ bool isAnswered(const OpenStudy& study, const ParticipantRow& row,
     });
 }
 
+/// The first questionnaire that is not answered yet; null if there is none.
+const psychophysics::Questionnaire* unanswered(const OpenStudy& study, const ParticipantRow& row) {
+    const auto& all = study.design.questionnaires;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const psychophysics::Questionnaire& each) {
+        return !isAnswered(study, row, each);
+    });
+    return found == all.end() ? nullptr : &*found;
+}
+
+/// Whether this participant may begin a condition, now or after the consent.
+bool mayBegin(const OpenStudy& study, const ParticipantRow& row) {
+    using database::ParticipantState;
+    return study.summary.state == database::StudyState::frozen &&
+           (row.participant.state == ParticipantState::enrolled ||
+            row.participant.state == ParticipantState::consented);
+}
+
 } // namespace
 
 std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const ParticipantRow& row) {
@@ -54,6 +71,8 @@ std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const P
         }
         progress.closed =
             progress.state == ProgressState::notBegun && study.summary.state != database::StudyState::frozen;
+        progress.withdrawn = progress.state == ProgressState::notBegun &&
+                             row.participant.state == database::ParticipantState::withdrawn;
         all.push_back(std::move(progress));
     }
     return all;
@@ -81,14 +100,15 @@ QString progressWords(const OpenStudy& study, const ConditionProgress& progress,
     case ProgressState::ended:
         return ParticipantProgress::tr("broken off when the participant withdrew");
     case ProgressState::notBegun:
-        return progress.closed ? ParticipantProgress::tr("not begun, and the study is closed")
-                               : ParticipantProgress::tr("not begun yet");
+        return progress.withdrawn ? ParticipantProgress::tr("not begun before the participant withdrew")
+               : progress.closed  ? ParticipantProgress::tr("not begun, and the study is closed")
+                                  : ParticipantProgress::tr("not begun yet");
     }
     return {};
 }
 
 QString participantProgress(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale) {
-    if (row.runs.empty())
+    if (row.runs.empty() && mayBegin(study, row))
         return ParticipantProgress::tr("not begun yet");
     const auto in = [&row](database::StudyRunState state) {
         return std::count_if(row.runs.begin(), row.runs.end(),
@@ -104,9 +124,12 @@ QString participantProgress(const OpenStudy& study, const ParticipantRow& row, c
 }
 
 QString participantStanding(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale) {
-    return row.participant.state == database::ParticipantState::consented
-               ? participantProgress(study, row, locale)
-               : study_words::participantState(row.participant.state);
+    if (row.participant.state == database::ParticipantState::consented)
+        return participantProgress(study, row, locale);
+    const QString state = study_words::participantState(row.participant.state);
+    return row.participant.state == database::ParticipantState::completed && isWaiting(study, row)
+               ? ParticipantProgress::tr("%1, with questions to answer").arg(state)
+               : state;
 }
 
 bool isWaiting(const OpenStudy& study, const ParticipantRow& row) {
@@ -115,17 +138,15 @@ bool isWaiting(const OpenStudy& study, const ParticipantRow& row) {
         return false;
     if (row.participant.state == ParticipantState::enrolled)
         return study.summary.state == database::StudyState::frozen; // later nothing could be begun
-    if (row.participant.state != ParticipantState::consented)
+    if (row.participant.state == ParticipantState::completed)
+        return unanswered(study, row) != nullptr;
+    if (row.participant.state != ParticipantState::consented || (row.runs.empty() && !mayBegin(study, row)))
         return false;
     const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
-    const auto& questions = study.design.questionnaires;
-    return std::any_of(conditions.begin(), conditions.end(),
-                       [](const ConditionProgress& each) {
-                           return each.state == ProgressState::interrupted ||
-                                  (each.state == ProgressState::notBegun && !each.closed);
-                       }) ||
-           std::any_of(questions.begin(), questions.end(), [&](const psychophysics::Questionnaire& each) {
-               return !isAnswered(study, row, each);
+    return unanswered(study, row) ||
+           std::any_of(conditions.begin(), conditions.end(), [](const ConditionProgress& each) {
+               return each.state == ProgressState::interrupted ||
+                      (each.state == ProgressState::notBegun && !each.closed);
            });
 }
 
@@ -152,18 +173,26 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
                        "Press Run and resume “%1” at the trial where it stopped. If this participant does "
                        "not come back, withdraw them: what they did is kept.")
                 .arg(name(each));
+    const psychophysics::Questionnaire* questions = unanswered(study, row);
+    const QString asked = questions ? study_words::text(questions->title, language) : QString();
     for (const ConditionProgress& each : conditions)
-        if (each.state == ProgressState::notBegun)
-            return each.closed ? ParticipantProgress::tr("“%1” can no longer be begun, because the study is "
-                                                         "closed. The conditions that are done count.")
-                                     .arg(name(each))
-                               : ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
-    for (const psychophysics::Questionnaire& questions : study.design.questionnaires)
-        if (!isAnswered(study, row, questions))
-            return ParticipantProgress::tr(
-                       "Every condition is done. The questionnaire “%1” is not answered yet.")
-                .arg(study_words::text(questions.title, language));
-    return ParticipantProgress::tr("Nothing is left to do: this participant has done everything.");
+        if (each.state == ProgressState::notBegun) {
+            if (!each.closed)
+                return ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
+            const QString closed =
+                ParticipantProgress::tr("“%1” can no longer be begun, because the study is "
+                                        "closed. The conditions that are done count.")
+                    .arg(name(each));
+            return isWaiting(study, row)
+                       ? closed + QLatin1Char(' ') +
+                             ParticipantProgress::tr("The questionnaire “%1” is not answered yet.").arg(asked)
+                       : closed;
+        }
+    return questions
+               ? ParticipantProgress::tr(
+                     "Every condition is done. The questionnaire “%1” is not answered yet.")
+                     .arg(asked)
+               : ParticipantProgress::tr("Nothing is left to do: this participant has done everything.");
 }
 
 } // namespace chiron::desktop

@@ -17,6 +17,7 @@ struct ConditionProgress {
     State state = State::notBegun;
     const LeftRun* left = nullptr; ///< for an interrupted condition; points into the row that was passed
     bool closed = false;           ///< not started, and the study accepts no more runs
+    bool withdrawn = false;        ///< not started, and the participant has withdrawn
 };
 
 /// Returns the conditions in the participant's order. `row` must outlive the result.
@@ -29,15 +30,17 @@ QString interruptedWords(const OpenStudy& study, const LeftRun& left, const QLoc
 /// The state of a condition in words, beginning in lower case.
 QString progressWords(const OpenStudy& study, const ConditionProgress& progress, const QLocale& locale);
 
-/// How far a participant is with all conditions: "not begun yet", "1 of 2 done, one interrupted".
+/// How far a participant is with all conditions: "not begun yet", "1 of 2 done, one interrupted". Of somebody
+/// who can no longer begin it says only how many are done.
 QString participantProgress(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale);
 
 /// How a participant stands, in a list of people to choose from: as far as participantProgress() for somebody
-/// who takes part, else the state ("Consent missing").
+/// who takes part, else the state ("Consent missing"), with the questions that are left of somebody who has
+/// completed every condition.
 QString participantStanding(const OpenStudy& study, const ParticipantRow& row, const QLocale& locale);
 
 /// Returns whether something is left for this participant that can be done now: a consent, a condition or a
-/// questionnaire.
+/// questionnaire. In a closed study no questionnaire is left for somebody who has begun nothing.
 bool isWaiting(const OpenStudy& study, const ParticipantRow& row);
 
 /// What the researcher can do next for a participant: one sentence, never empty.

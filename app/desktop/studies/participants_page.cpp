@@ -173,7 +173,10 @@ void ParticipantsPage::showActions() {
                                    ? QString()
                                    : tr("Participants can be enrolled only while the study is frozen."));
     kit::allowUnless(*m_consent, consented ? tr("The consent is recorded already.") : done);
-    kit::allowUnless(*m_run, done.isEmpty() && !consented ? tr("Record the consent first.") : done);
+    const bool asks = state == ParticipantState::completed && isWaiting(m_study, *row); // Run opens them
+    kit::allowUnless(*m_run, asks                           ? QString()
+                             : done.isEmpty() && !consented ? tr("Record the consent first.")
+                                                            : done);
     kit::allowUnless(*m_withdraw, gone);
     kit::allowUnless(*m_keys, m_study.participants.empty() ? tr("Nobody is enrolled yet.") : QString());
 }

@@ -230,26 +230,33 @@ QWidget* RunScreen::participantBox() {
         box.layout->addWidget(consent, 0, Qt::AlignLeft);
         return box.frame;
     }
+    const std::vector<ConditionProgress> conditions = conditionProgress(open, *row);
+    const auto toDo = std::find_if(conditions.begin(), conditions.end(), [](const ConditionProgress& each) {
+        return each.state != ConditionProgress::State::done;
+    });
+    const bool offered = row->participant.state == database::ParticipantState::consented &&
+                         toDo != conditions.end() && !toDo->closed;
+    const bool asks = !offered && isWaiting(open, *row);
+    bool answerNext = asks; // the first that is not answered
+    const auto ask = [&](const Asked& asked) {
+        const bool next = answerNext && !isAnswered(*row, asked);
+        box.layout->addWidget(questionnaireRow(*row, asked, next));
+        answerNext = answerNext && !next;
+    };
     using When = psychophysics::Questionnaire::When;
     const auto questionnaires = [&](When when) {
         for (const psychophysics::Questionnaire& each : open.design.questionnaires)
             if (each.when == when)
-                box.layout->addWidget(questionnaireRow(*row, each));
+                ask({each});
     };
     // These are offered to participants who were enrolled without them.
     for (const psychophysics::Questionnaire& each : open.design.questionnaires)
-        if (each.when == When::enrolment && !open.answered.contains({row->participant.id, each.id}))
-            box.layout->addWidget(questionnaireRow(*row, each));
+        if (each.when == When::enrolment && !isAnswered(*row, {each}))
+            ask({each});
     questionnaires(When::before);
-    bool next = row->participant.state == database::ParticipantState::consented;
-    bool offered = false;
     int position = 0;
-    for (const ConditionProgress& progress : conditionProgress(open, *row)) {
-        const bool done = progress.state == ConditionProgress::State::done;
-        const bool offer = next && !done && !progress.closed;
-        box.layout->addWidget(conditionRow(*row, position, progress, offer));
-        offered = offered || offer;
-        next = next && done;
+    for (const ConditionProgress& progress : conditions) {
+        box.layout->addWidget(conditionRow(*row, position, progress, offered && &progress == &*toDo));
         const auto run =
             std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
                 return session::labelOf(each) == progress.label &&
@@ -258,7 +265,7 @@ QWidget* RunScreen::participantBox() {
         // These are asked only after the condition is completed.
         for (const psychophysics::Questionnaire& each : open.design.questionnaires)
             if (each.when == When::afterCondition && run != row->runs.end())
-                box.layout->addWidget(questionnaireRow(*row, each, &*run, position));
+                ask({each, &*run, position});
         ++position;
     }
     questionnaires(When::after);
@@ -267,7 +274,7 @@ QWidget* RunScreen::participantBox() {
         step->setObjectName(QStringLiteral("run.next_step"));
         box.layout->addWidget(step);
     }
-    addOthers(*box.layout, !offered);
+    addOthers(*box.layout, !offered && !asks);
     return box.frame;
 }
 
@@ -356,9 +363,13 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     return box.frame;
 }
 
-QWidget* RunScreen::questionnaireRow(const ParticipantRow& row,
-                                     const psychophysics::Questionnaire& questionnaire,
-                                     const database::StudyRun* run, int position) {
+bool RunScreen::isAnswered(const ParticipantRow& row, const Asked& asked) const {
+    return asked.run ? study()->answeredAfter.contains({asked.run->id, asked.questionnaire.id})
+                     : study()->answered.contains({row.participant.id, asked.questionnaire.id});
+}
+
+QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const Asked& asked, bool next) {
+    const auto& [questionnaire, run, position] = asked;
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
@@ -369,13 +380,12 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row,
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, name, TextStyle::strong));
-    const bool done = run ? study()->answeredAfter.contains({run->id, questionnaire.id})
-                          : study()->answered.contains({row.participant.id, questionnaire.id});
+    const bool done = isAnswered(row, asked);
     said->addWidget(
         kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"));
     QVBoxLayout* cell = buttonCell(*line);
     if (!done && row.participant.state != database::ParticipantState::withdrawn) {
-        auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
+        auto* go = kit::button(theme, tr("Answer"), next ? "primary" : "", QStringLiteral("document-edit"));
         go->setObjectName(
             QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)) +
             (run ? QStringLiteral(".%1").arg(position) : QString()));

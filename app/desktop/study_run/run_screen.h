@@ -43,7 +43,7 @@ private:
     QWidget* leftBox(); ///< interrupted runs of the other participants; null if there are none
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     /// The code of somebody who is waiting, besides `except`: who was interrupted last, else the first in the
-    /// list. Empty if there is nobody.
+    /// list, and people with only questions left after all others. Empty if there is nobody.
     QString nextWaiting(const QString& except = {}) const;
     QWidget* participantBox();
     /// Going on with somebody who is waiting, and enrolling somebody. `first`: nothing else is left to do for
@@ -59,10 +59,15 @@ private:
     QWidget* soundNotice();
     QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress,
                           bool next);
-    /// `run`: the run of the condition that the questionnaire is about, at `position`; null if it is asked
-    /// once.
-    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire,
-                              const database::StudyRun* run = nullptr, int position = 0);
+    /// A questionnaire, about the run of the condition at `position`, or asked once if `run` is null.
+    struct Asked {
+        const psychophysics::Questionnaire& questionnaire;
+        const database::StudyRun* run = nullptr;
+        int position = 0;
+    };
+    bool isAnswered(const ParticipantRow& row, const Asked& asked) const;
+    /// `next`: to answer it is the participant's next step.
+    QWidget* questionnaireRow(const ParticipantRow& row, const Asked& asked, bool next);
     void showParticipant();
     const OpenStudy* study() const;
     const ParticipantRow* participant() const;

@@ -22,20 +22,22 @@ QVBoxLayout* RunScreen::buttonCell(QHBoxLayout& line) {
 
 QString RunScreen::nextWaiting(const QString& except) const {
     const ParticipantRow* first = nullptr;
+    const ParticipantRow* asked = nullptr;
     const ParticipantRow* last = nullptr;
     std::string when;
     for (const ParticipantRow& row : study()->participants) {
         if (!isWaiting(*study(), row) || QString::fromStdString(row.participant.code) == except)
             continue;
-        if (!first)
-            first = &row;
+        const bool done = row.participant.state == database::ParticipantState::completed;
+        if (const ParticipantRow*& found = done ? asked : first; !found)
+            found = &row;
         for (const LeftRun& left : row.left)
             if (left.lastUtc > when) {
                 last = &row;
                 when = left.lastUtc;
             }
     }
-    const ParticipantRow* chosen = last ? last : first;
+    const ParticipantRow* chosen = last ? last : first ? first : asked;
     return chosen ? QString::fromStdString(chosen->participant.code) : QString();
 }
 

@@ -134,9 +134,7 @@ void TrialsScreen::showInstructions() {
                              limitSentence(m_live->design(), m_live->condition(), context().language())}),
                  tr("Continue (Enter)"));
     m_break->offer(tr("Read the whole instruction again"));
-    m_stage->setCurrentWidget(m_break);
-    m_panel->showContent();
-    m_break->focusButton();
+    showPageToRead();
 }
 
 /// The researcher's own text about this condition; empty if there is none.
@@ -187,9 +185,14 @@ void TrialsScreen::sayWholeInstructions() {
 
 void TrialsScreen::showWholeInstructions() {
     sayWholeInstructions();
+    showPageToRead();
+}
+
+void TrialsScreen::showPageToRead() {
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
+    m_changed.start();
 }
 
 /// Shows the controls of the present device for the coming task.
@@ -217,6 +220,7 @@ void TrialsScreen::showCard() {
     m_stage->addWidget(m_card);
     m_stage->setCurrentWidget(m_card);
     m_card->takeFocus();
+    m_changed.start(); // from now on the card can be seen
 }
 
 void TrialsScreen::go() {

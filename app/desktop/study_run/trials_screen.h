@@ -91,7 +91,8 @@ private:
     QString exploringWords(const session::LiveStudyView& view) const;
     QString apexWords(const session::LiveStudyView& view) const;
     QString holdWords(const session::LiveStudyView& view) const;
-    /// What to do if the hand uses nearly the largest force allowed; otherwise empty.
+    /// What to do if the hand uses, or in this trial has used, nearly the largest force allowed; otherwise
+    /// empty.
     QString gentlerText(const session::LiveStudyView& view) const;
     QString stoppedText() const;
     QString afterStopText() const;
@@ -133,6 +134,7 @@ private:
     void begin();
     void showInstructions();
     void showWholeInstructions();
+    void showPageToRead(); ///< the page of m_break, which takes no key that was meant for the one before
     void sayWholeInstructions(); ///< again after a change of what they say
     QString partText() const;
     QString furtherPartText() const;

@@ -26,7 +26,14 @@ using State = session::LiveStudyView::State;
 
 namespace {
 constexpr int kFreeMinuteEnds_s = 10; // announced this long before the end, to finish the current action
+
+/// In one line, without those that are empty.
+QString sentences(QStringList texts) {
+    texts.removeAll(QString());
+    return texts.join(QLatin1Char(' '));
 }
+
+} // namespace
 
 void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
@@ -188,7 +195,11 @@ QString TrialsScreen::holdWords(const session::LiveStudyView& view) const {
 }
 
 QString TrialsScreen::gentlerText(const session::LiveStudyView& view) const {
-    return !view.nearForceLimit ? QString() : pulls() ? tr("Pull less hard.") : tr("Press less hard.");
+    if (!view.nearForceLimit)
+        return {};
+    if (view.state == State::trying)
+        return pulls() ? tr("Pull less hard.") : tr("Press less hard.");
+    return pulls() ? tr("Pull less hard in this trial.") : tr("Press less hard in this trial.");
 }
 
 static QString untouchedWords(double probe_N, const QLocale& locale) {
@@ -265,19 +276,21 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     }
 }
 
+/// The largest force is told beside what is missing, because it stays until the trial ends. Only a force that
+/// is too small is told alone: both together would contradict each other.
 QString TrialsScreen::exploringWords(const session::LiveStudyView& view) const {
-    if (view.nearForceLimit)
-        return gentlerText(view);
     const QString missing = missingObjects(view);
     const QString held = pulls() && !missing.isEmpty() ? holdWords(view) : QString();
     if (view.canAnswer)
-        return held;
+        return sentences({gentlerText(view), held});
     if (const QString harder = harderWords(view, pulls(), context().locale()); !harder.isEmpty())
         return harder;
     const bool pullsNow = view.place >= 0 && ((view.touched >> view.place) & 1U) == 0;
-    if (held.isEmpty())
-        return view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missing);
-    return view.places == 1 || pullsNow ? held : held + QLatin1Char(' ') + tr("Touch next: %1.").arg(missing);
+    const QString next = view.places == 1 ? held.isEmpty() ? tr("Touch the object first.") : QString()
+                         : held.isEmpty() ? tr("Touch first: %1.").arg(missing)
+                         : pullsNow       ? QString()
+                                          : tr("Touch next: %1.").arg(missing);
+    return sentences({gentlerText(view), held, next});
 }
 
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
@@ -290,10 +303,8 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
         return tr("%1 mm from the highest point.")
             .arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
-        if (view.nearForceLimit)
-            return gentlerText(view);
-        return view.canAnswer ? tr("Click or press Enter at the highest point.")
-                              : tr("Find the sphere first.");
+        return sentences({gentlerText(view), view.canAnswer ? tr("Click or press Enter at the highest point.")
+                                                            : tr("Find the sphere first.")});
     default:
         return whyNoAnswer(view);
     }

@@ -20,8 +20,8 @@ constexpr double kTrail = 1.5, kTrail_m = 0.0005;
 constexpr double kTaut_m = 0.0005;
 constexpr double kAir_m = 0.002; ///< an object lifted higher than this lies on nothing
 constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
-/// Shares of the largest force allowed: it is near from the first one on, until it is below the second one.
-constexpr double kNear = 0.8, kNotNear = 0.7;
+/// Share of the largest force allowed below which it is no longer near.
+constexpr double kNotNear = 0.7;
 constexpr double kUsableError = 0.05; ///< a fit with a larger relative standard error is not used
 
 double norm(const std::array<double, 3>& v) {
@@ -54,6 +54,7 @@ void FidelityMeter::begin(const std::vector<double>& asked) {
     m_worst_us = m_sumError2 = m_peak_N = m_sumSpeed = 0.0;
     m_touched = 0;
     m_measured = false;
+    m_cameNearForceLimit = false;
 }
 
 void FidelityMeter::add(const FidelitySample& sample) {
@@ -94,7 +95,9 @@ void FidelityMeter::add(const FidelitySample& sample) {
 }
 
 void FidelityMeter::noticeForce(bool present, double force_N) {
-    m_nearForceLimit = present && force_N >= (m_nearForceLimit ? kNotNear : kNear) * m_limits.peakForce_N;
+    const double share = m_nearForceLimit ? kNotNear : kNearForceLimit;
+    m_nearForceLimit = present && force_N >= share * m_limits.peakForce_N;
+    m_cameNearForceLimit = m_cameNearForceLimit || m_nearForceLimit;
 }
 
 void FidelityMeter::Place::forget() {

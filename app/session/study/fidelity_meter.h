@@ -42,9 +42,14 @@ public:
     void add(const FidelitySample& sample);
     /// The result of the trial; `outside` names the limit that was exceeded.
     TrialFidelity finish() const;
+    /// Share of the largest force that the limits allow in a trial from which on it is nearly reached.
+    static constexpr double kNearForceLimit = 0.8;
     /// True while an object is touched with nearly the largest force that the limits allow in a trial. From
     /// the last tick added, in a trial or before the first one.
     bool nearForceLimit() const noexcept { return m_nearForceLimit; }
+    /// True once this was so since begin(). Shown to a participant, nearForceLimit() would tell objects apart
+    /// that are handled alike; this tells nothing of the object that is touched afterwards.
+    bool cameNearForceLimit() const noexcept { return m_cameNearForceLimit; }
 
 private:
     static constexpr std::size_t kTimes = 33;
@@ -79,7 +84,7 @@ private:
     double m_worst_us = 0.0, m_sumError2 = 0.0, m_peak_N = 0.0, m_sumSpeed = 0.0;
     std::uint8_t m_touched = 0;
     bool m_measured = false;
-    bool m_nearForceLimit = false;
+    bool m_nearForceLimit = false, m_cameNearForceLimit = false;
 };
 
 } // namespace chiron::session

@@ -74,7 +74,9 @@ struct LiveStudyView {
                                ///< place
     /// A place counts as touched once its object has responded with at least this force; 0: at any contact.
     double probe_N = 0.0;
-    /// The hand uses nearly the largest force that a trial may have (FidelityMeter::nearForceLimit).
+    /// The hand uses nearly the largest force that a trial may have, or did so in this trial: from then on
+    /// until the trial ends, so that it tells nothing about the object that is touched now
+    /// (FidelityMeter::cameNearForceLimit). In the free minute only while it does.
     bool nearForceLimit = false;
     /// The previous trial did not count because its objects were gone before all were touched; it is
     /// repeated.

@@ -271,7 +271,7 @@ void LiveStudy::State::describe() {
     view.letGo = view.place < 0 ? letGo : -1;
     view.touched = last.touched;
     view.grazed = grazed;
-    view.nearForceLimit = meter.nearForceLimit();
+    view.nearForceLimit = presented ? meter.cameNearForceLimit() : meter.nearForceLimit();
     view.probe_N = study.design.trial.mustTouchAll ? study.design.trial.probeAtLeast_N : 0.0;
     const double limit_s = study.design.trial.exploreLimit_s;
     const bool running = presented && last.phase == TrialPhase::running;

@@ -88,11 +88,12 @@ enum class Level {
 
 /// Guessing is refuted by all answers together or by those at the largest differences: whoever perceives only
 /// these guesses in all other trials. A clear advantage is a proportion correct half-way between guessing and
-/// always right, which is 75 % in 2AFC. Each test is one-sided and exact, at 5 %.
+/// always right, which is 75 % in 2AFC. The tests are one-sided and exact, at 5 %; the one of the
+/// largest differences comes in addition, at 1 %.
 Level levelOf(const ScoredAnswers& answers, const std::vector<CurvePoint>& sizes, double chance) {
-    constexpr double kLevel = 0.05;
+    constexpr double kLevel = 0.05, kLevelAtTheTop = 0.01;
     if (binomialUpperTail(answers.right, answers.used, chance) <= kLevel ||
-        isBetterAtTheTop(sizes, chance, kLevel))
+        isBetterAtTheTop(sizes, chance, kLevelAtTheTop))
         return Level::better;
     const double halfway = 0.5 * (1.0 + chance);
     return binomialLowerTail(answers.right, answers.used, halfway) <= kLevel ? Level::guessing

@@ -4,6 +4,7 @@
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/background.h"
 #include "desktop/frame/command_palette.h"
+#include "desktop/frame/focus_keeper.h"
 #include "desktop/frame/help_dialogs.h"
 #include "desktop/frame/instance_link.h"
 #include "desktop/frame/interface_language.h"
@@ -41,6 +42,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -634,6 +636,73 @@ private slots:
         first->setEnabled(true);
         QTest::qWait(20);
         QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(other));
+    }
+
+    /// When a page goes with its control, the focus stays near it; but not where somebody, or the program,
+    /// has put it elsewhere meanwhile.
+    void focusStaysWhereItWasPut() {
+        QWidget window;
+        new FocusKeeper(window);
+        auto* column = new QVBoxLayout(&window);
+        const auto button = [](const char* name, QLayout& in) {
+            auto* made = new QPushButton(QLatin1String(name));
+            in.addWidget(made);
+            return made;
+        };
+        button("side", *column);
+        auto* search = new QLineEdit;
+        column->addWidget(search);
+        auto* holder = new QWidget;
+        auto* pages = new QVBoxLayout(holder);
+        column->addWidget(holder);
+        QPushButton* stays = button("stays", *pages);
+        QWidget other;
+        auto* elsewhere = new QLineEdit(&other);
+        window.show();
+        other.show();
+        const auto activate = [](QWidget& which) {
+            which.activateWindow();
+            return QTest::qWaitForWindowActive(&which);
+        };
+        const auto worksOnAPage = [&] {
+            auto page = std::make_unique<QWidget>();
+            QPushButton* on = button("on the page", *new QVBoxLayout(page.get()));
+            pages->addWidget(page.get());
+            page->show();
+            const bool active = activate(window);
+            on->setFocus(Qt::TabFocusReason);
+            if (!active || QApplication::focusWidget() != on)
+                page.reset();
+            return page;
+        };
+        const auto at = [](const QWidget* control) { return QApplication::focusWidget() == control; };
+
+        auto page = worksOnAPage();
+        QVERIFY(page);
+        page.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(at(stays), kPatience_ms); // rather than nowhere
+
+        page = worksOnAPage();
+        QVERIFY(page);
+        page.reset();
+        search->setFocus(Qt::OtherFocusReason); // as code does
+        QTest::qWait(20);
+        QVERIFY(at(search));
+
+        page = worksOnAPage();
+        QVERIFY(page && activate(other));
+        elsewhere->setFocus();
+        page.reset(); // a list is read anew in the background
+        QVERIFY(activate(window));
+        QTRY_VERIFY_WITH_TIMEOUT(at(stays), kPatience_ms);
+
+        page = worksOnAPage();
+        QVERIFY(page && activate(other));
+        page.reset();
+        search->setFocus(Qt::MouseFocusReason); // as a click by which somebody comes back does
+        QVERIFY(activate(window));
+        QTest::qWait(20);
+        QVERIFY(at(search));
     }
 
     /// The sign is a picture of its own in every size, and it stands where the program says its name.

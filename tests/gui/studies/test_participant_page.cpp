@@ -80,6 +80,7 @@ private slots:
     void nothingCountsBeforeTheTrials();
     void aLongCardIsReadBeforeItBegins();
     void aFurtherPartIsShort();
+    void aSecondPressSkipsNoInstruction();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
     void aPageThatComesByItselfTakesNoEarlyKey();
@@ -385,15 +386,41 @@ void TestParticipantPage::aFurtherPartIsShort() {
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
     QVERIFY2(said("break.text").contains(QStringLiteral("more than 4\u00a0N")),
              qPrintable(said("break.text")));
-    tests::sittingButton(screen, "break.more")->click();
+    m_site->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_site->window.get()));
+    auto* more = tests::sittingButton(screen, "break.more");
+    QVERIFY(pressUntil(Qt::Key_Return, [more] {
+        if (!more->isHidden())
+            more->setFocus(Qt::TabFocusReason);
+        return more->isHidden();
+    }));
+    press(Qt::Key_Return); // the second of two, which would skip what was asked for
+    QVERIFY(!page(screen)->findChild<desktop::ReadyCard*>());
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) &&
             said("break.text").contains(partText()));
-    QVERIFY(tests::sittingButton(screen, "break.more")->isHidden());
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QCOMPARE(said("break.title"), QStringLiteral("Everything is finished"));
+}
+
+/// Enter pressed twice on "Begin" leaves the instructions there, and pressed twice on them the card.
+void TestParticipantPage::aSecondPressSkipsNoInstruction() {
+    prepare("second_press");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen);
+    const auto card = [&] { return page(screen)->findChild<desktop::ReadyCard*>(); };
+    press(Qt::Key_Return);
+    press(Qt::Key_Space);
+    QVERIFY(!card());
+    QCOMPARE(said(screen, "break.title"), QStringLiteral("Before you begin"));
+    QVERIFY(pressUntil(Qt::Key_Return, [&] { return card() != nullptr; }));
+    press(Qt::Key_Return);
+    QVERIFY(card());
+    QCOMPARE(screen->live()->view().state, State::paused);
+    QVERIFY(pressUntil(Qt::Key_Return, [&] { return !card(); }));
+    QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
 /// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can
@@ -530,7 +557,8 @@ void TestParticipantPage::aPageThatComesByItselfTakesNoEarlyKey() {
     }
 }
 
-/// What to do is said while there is time to do it, and no longer than it is true.
+/// What to do is said while there is time to do it, and until the trial ends: where it came and went with the
+/// force, it would tell objects apart. What is missing is said beside it.
 void TestParticipantPage::theHandIsToldBeforeTheLimit() {
     prepare("limit", [](psychophysics::StudyDesign& design) {
         design.trial.mustTouchAll = true;
@@ -548,10 +576,17 @@ void TestParticipantPage::theHandIsToldBeforeTheLimit() {
     QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You are holding object 1.")),
                               qPrintable(why->text()), kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.036)); // 1.8 N and more
-    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull less hard."), kPatience_ms);
-    QVERIFY(reach(live, -0.04, 0.031));
-    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("You are holding object 1.")),
+    const QString told = QStringLiteral("Pull less hard in this trial.");
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(told + QStringLiteral(" You are holding object 1.")),
                               qPrintable(why->text()), kPatience_ms);
+    QVERIFY(why->text().endsWith(QStringLiteral("Touch next: 2, 3.")));
+    QVERIFY(reach(live, -0.04, 0.031));
+    QTest::qWait(100); // some frames
+    QVERIFY2(why->text().startsWith(told), qPrintable(why->text()));
+    live.spoil();
+    QTRY_COMPARE_WITH_TIMEOUT(live.numbers().spoiled, 1, kPatience_ms);
+    QVERIFY(reach(live, -0.04, 0.060)); // off, so that the trial comes again
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Touch first: 1, 2, 3."), kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 

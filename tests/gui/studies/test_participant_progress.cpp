@@ -66,6 +66,25 @@ private slots:
         QVERIFY(left[0].state == ConditionProgress::State::done &&
                 left[1].state == ConditionProgress::State::ended);
         QVERIFY(desktop::progressWords(open, left[1], kEnglish).contains(QStringLiteral("broken off")));
+        const ParticipantRow never = row(ParticipantState::withdrawn, {});
+        for (const ConditionProgress& each : desktop::conditionProgress(open, never))
+            QCOMPARE(desktop::progressWords(open, each, kEnglish),
+                     QStringLiteral("not begun before the participant withdrew"));
+    }
+    /// "Not begun yet" promises a beginning.
+    void whoCannotBeginHasDoneNothing() {
+        const auto progress = [](StudyState of, ParticipantState state) {
+            return desktop::participantProgress(study(of), row(state, {}), kEnglish);
+        };
+        QCOMPARE(progress(StudyState::frozen, ParticipantState::enrolled), QStringLiteral("not begun yet"));
+        QCOMPARE(progress(StudyState::frozen, ParticipantState::consented), QStringLiteral("not begun yet"));
+        QCOMPARE(progress(StudyState::frozen, ParticipantState::withdrawn), QStringLiteral("0 of 2 done"));
+        for (const StudyState over : {StudyState::closed, StudyState::archived})
+            for (const ParticipantState state : {ParticipantState::enrolled, ParticipantState::consented})
+                QCOMPARE(progress(over, state), QStringLiteral("0 of 2 done"));
+        QCOMPARE(desktop::participantStanding(study(StudyState::closed), row(ParticipantState::consented, {}),
+                                              kEnglish),
+                 QStringLiteral("0 of 2 done"));
     }
     void howSomebodyStandsInTheList() {
         const auto stands = [](ParticipantState state,
@@ -80,6 +99,15 @@ private slots:
                  QStringLiteral("1 of 2 done"));
         QCOMPARE(stands(ParticipantState::withdrawn, {{"stiffness", StudyRunState::stopped}}),
                  QStringLiteral("Withdrawn"));
+        const ParticipantRow all = row(ParticipantState::completed, {{"stiffness", StudyRunState::completed},
+                                                                     {"mass", StudyRunState::completed}});
+        QCOMPARE(desktop::participantStanding(study(), all, kEnglish), QStringLiteral("Completed"));
+        OpenStudy asks = study();
+        asks.design.questionnaires = tests::smallStudy("asks").questionnaires;
+        QCOMPARE(desktop::participantStanding(asks, all, kEnglish),
+                 QStringLiteral("Completed, with questions to answer"));
+        asks.answered.emplace(all.participant.id, asks.design.questionnaires.front().id);
+        QCOMPARE(desktop::participantStanding(asks, all, kEnglish), QStringLiteral("Completed"));
     }
     void whoIsWaiting() {
         QVERIFY(desktop::isWaiting(study(), row(ParticipantState::enrolled, {})));
@@ -95,6 +123,21 @@ private slots:
         OpenStudy asks = study();
         asks.design.questionnaires = tests::smallStudy("asks").questionnaires;
         QVERIFY(desktop::isWaiting(asks, all));
+        ParticipantRow completed = all; // every condition, and none of the questions
+        completed.participant.state = ParticipantState::completed;
+        QVERIFY(!desktop::isWaiting(study(), completed));
+        QVERIFY(desktop::isWaiting(asks, completed));
+        ParticipantRow gone = all;
+        gone.participant.state = ParticipantState::withdrawn;
+        QVERIFY(!desktop::isWaiting(asks, gone));
+        asks.summary.state = StudyState::closed;
+        QVERIFY(desktop::isWaiting(asks, completed));
+        QVERIFY(desktop::isWaiting(
+            asks, row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}})));
+        QVERIFY(
+            !desktop::isWaiting(asks, row(ParticipantState::consented, {}))); // there is nothing to ask about
+        asks.answered.emplace(completed.participant.id, asks.design.questionnaires.front().id);
+        QVERIFY(!desktop::isWaiting(asks, completed));
     }
     void whatComesNext() {
         const auto next = [](const OpenStudy& open, const ParticipantRow& of) {
@@ -124,6 +167,13 @@ private slots:
         OpenStudy asks = study();
         asks.design.questionnaires = tests::smallStudy("asks").questionnaires;
         QVERIFY(next(asks, all).contains(QStringLiteral("Face and content validity")));
+        OpenStudy over = asks;
+        over.summary.state = StudyState::closed;
+        const QString both =
+            next(over, row(ParticipantState::consented, {{"stiffness", StudyRunState::completed}}));
+        QVERIFY2(both.contains(QStringLiteral("no longer")) &&
+                     both.contains(QStringLiteral("Face and content validity")),
+                 qPrintable(both));
         const std::string id = asks.design.questionnaires.front().id;
         asks.design.questionnaires.front().when = psychophysics::Questionnaire::When::afterCondition;
         asks.answered.emplace(all.participant.id, id); // about the first condition, and not about the second

@@ -16,6 +16,7 @@
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/studies/weight_check.h"
 #include "desktop/study_data/replaced_folder.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"
@@ -72,6 +73,7 @@ private slots:
     void quantitiesAreReadWithTheirUnits();
     void whatIsTypedIsTakenOrTold();
     void soundAndForceAreCheckedBeforeFreezing();
+    void aHeavyObjectIsAdvisedAgainst();
     void runsWithoutValuesAreToldBeforeFreezing();
 
 private:
@@ -704,6 +706,30 @@ void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
             QVERIFY2(each.words.contains(QStringLiteral("left out of groups and comparisons")) &&
                          each.tab < 0,
                      qPrintable(each.words));
+}
+
+/// Whoever merely holds it would be told that they pull too hard.
+void TestStudyParts::aHeavyObjectIsAdvisedAgainst() {
+    psychophysics::StudyDesign design = tests::smallStudy("heavy"); // at most 2.96 N, of 4 N
+    QVERIFY(!desktop::weightCheck(design, m_locale));
+    design.conditions[0].stimulus.reference = 19000.0; // a stiffness has no weight
+    QVERIFY(!desktop::weightCheck(design, m_locale));
+    design.conditions[1].stimulus.reference = 0.3; // 2.94 N, times 3.02 as the heaviest of three
+    const auto check = desktop::weightCheck(design, m_locale);
+    QVERIFY(check && check->state == desktop::FreezeCheck::State::advice);
+    QCOMPARE(check->field, QStringLiteral("fidelity.peak_force"));
+    const auto all = desktop::freezeChecks(design, {}, m_locale);
+    QVERIFY(std::any_of(all.begin(), all.end(), [](const auto& each) { return each.name == u"weight"; }));
+    for (const char* force : {"8.88 N", "3.20 N", "11.11 N"})
+        QVERIFY2(check->words.contains(QLatin1String(force)), qPrintable(check->words));
+    design.fidelity.peakForce_N = 11.10;
+    QVERIFY(desktop::weightCheck(design, m_locale));
+    design.fidelity.peakForce_N = 11.11; // as advised
+    QVERIFY(!desktop::weightCheck(design, m_locale));
+    design.fidelity.peakForce_N = 4.0;
+    design.conditions[1].task = psychophysics::Task::twoAfc; // 5.11 N
+    QVERIFY2(desktop::weightCheck(design, m_locale)->words.contains(QStringLiteral("5.11 N")),
+             qPrintable(desktop::weightCheck(design, m_locale)->words));
 }
 
 /// Runs that give no value at all are told before freezing, of the condition that has the most.

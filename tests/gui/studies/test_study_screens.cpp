@@ -60,6 +60,8 @@ private slots:
     void whatGroupsIncludeIsRemembered();
     void theNextParticipantIsEnrolledWhereTheyAreRun();
     void whoWaitsComesBeforeTheNext();
+    void whoHasOnlyQuestionsLeftIsAskedThem();
+    void nobodyIsSentBackAndForth();
     void archivedWithUndo();
 
 private:
@@ -698,6 +700,74 @@ void TestStudyScreens::whoWaitsComesBeforeTheNext() {
     QTRY_VERIFY_WITH_TIMEOUT(choice->currentData().toString() != done, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(button("run.begin") || button("run.consent"), kPatience_ms);
     QVERIFY(!button("run.next")); // first the one who is here now
+}
+
+/// After the last condition the questions are the next step, here and from the list of participants. Whoever
+/// comes next is offered once they are answered, and before people who have only questions left.
+void TestStudyScreens::whoHasOnlyQuestionsLeftIsAskedThem() {
+    const database::Actor rhea = m_site->context.actor();
+    const psychophysics::StudyDesign design = tests::smallStudy("only_questions");
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    const auto done = tests::addParticipant(*m_site, rhea, number, design, "done");
+    const auto waits = tests::addParticipant(*m_site, rhea, number, design, "waits");
+    for (const char* condition : {"stiffness", "mass"})
+        tests::addRun(*m_site, rhea, design, done, condition, 0.1, 5);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.completeParticipant(done.id); });
+    const QString code = QString::fromStdString(done.code);
+    const QString next = QString::fromStdString(waits.code);
+    const auto open = [&](const QString& participant) {
+        go("study_run",
+           {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), participant}});
+    };
+    const auto button = [this](const char* name) {
+        return m_site->window->screen()->findChild<QPushButton*>(QLatin1String(name));
+    };
+    const auto kind = [&](const char* name) {
+        return button(name) ? button(name)->property("kind").toString() : QStringLiteral("none");
+    };
+    open(QString());
+    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), next);
+    QCOMPARE(kind("run.questionnaire.validity"), QString()); // first the conditions
+    QCOMPARE(kind("run.begin"), QStringLiteral("primary"));
+    open(code);
+    QCOMPARE(kind("run.questionnaire.validity"), QStringLiteral("primary"));
+    QCOMPARE(kind("run.enrol"), QString());
+    QVERIFY(!button("run.next"));
+    go("study", {{QStringLiteral("study"), qlonglong(number)},
+                 {QStringLiteral("tab"), desktop::StudyScreen::participantsTab}});
+    auto* table = m_site->find<QTableWidget>(QStringLiteral("participants.table"));
+    QVERIFY(table && table->rowCount() == 2);
+    table->selectRow(table->item(0, 0)->text() == code ? 0 : 1);
+    QVERIFY(button("participants.run")->isEnabled());
+    tests::addAnswers(*m_site, rhea, done, 3);
+    open(code);
+    QVERIFY(!button("run.questionnaire.validity"));
+    QVERIFY2(button("run.next") && button("run.next")->text().contains(next), "the next one is not offered");
+    QCOMPARE(kind("run.next"), QStringLiteral("primary"));
+}
+
+/// Two who have agreed and begun nothing when the study was closed.
+void TestStudyScreens::nobodyIsSentBackAndForth() {
+    const database::Actor rhea = m_site->context.actor();
+    const psychophysics::StudyDesign design = tests::smallStudy("back_and_forth");
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    std::vector<database::Participant> both;
+    for (const char* name : {"one", "two"})
+        both.push_back(tests::addParticipant(*m_site, rhea, number, design, name));
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.closeStudy(number); });
+    for (const database::Participant& each : both) {
+        go("study_run", {{QStringLiteral("study"), qlonglong(number)},
+                         {QStringLiteral("participant"), QString::fromStdString(each.code)}});
+        const QWidget* screen = m_site->window->screen();
+        QVERIFY(screen->findChild<QPushButton*>(QStringLiteral("run.questionnaire.validity")));
+        QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("run.next")));
+    }
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.

@@ -35,8 +35,9 @@ public:
     StudyAnswer soFar() const;
 
     bool inTrial() const noexcept { return m_inTrial; }
-    bool touched() const noexcept { return m_touched != 0; } ///< in this trial
-    bool nearForceLimit() const noexcept { return m_inTrial && m_meter.nearForceLimit(); }
+    bool touched() const noexcept { return m_touched != 0; }                               ///< in this trial
+    bool nearForceLimit() const noexcept { return m_inTrial && m_meter.nearForceLimit(); } ///< now
+    bool cameNearForceLimit() const noexcept { return m_inTrial && m_meter.cameNearForceLimit(); }
     bool over() const noexcept { return m_ended == m_plan.size(); } ///< every trial of the session has ended
     const TrialClock& clock() const noexcept { return m_clock; }    ///< of the current trial
 

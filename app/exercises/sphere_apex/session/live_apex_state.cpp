@@ -252,7 +252,7 @@ void LiveApex::State::describe() {
     view.trial = progress.scored();
     view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
     view.touched = watch->touched() ? 1u : 0u;
-    view.nearForceLimit = watch->nearForceLimit();
+    view.nearForceLimit = tries ? watch->nearForceLimit() : watch->cameNearForceLimit();
     const double limit_s = study.design.trial.exploreLimit_s;
     const double spent_s = watch->clock().exploration_s();
     view.timeLeft_s = running && !tries && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;

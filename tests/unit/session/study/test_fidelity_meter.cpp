@@ -441,6 +441,32 @@ private slots:
         QVERIFY(!meter.nearForceLimit());
     }
 
+    /// What a participant is told must not change with the object that is touched.
+    void whatWasNearStaysUntilTheTrialEnds() {
+        simulation::ComparisonParameters parameters;
+        parameters.places = 2;
+        session::FidelityMeter meter(parameters, {}, false); // 4 N
+        const std::vector<double> asked{kStiffness_N_per_m, kStiffness_N_per_m};
+        meter.begin(asked);
+        std::int64_t now_ns = 0;
+        const auto came = [&](int place, double force_N) {
+            meter.add(sampleOf(place, force_N, now_ns += 1'000'000));
+            return meter.cameNearForceLimit();
+        };
+        QVERIFY(!came(1, 3.1));
+        QVERIFY(!came(0, 3.3)); // of no object
+        QVERIFY(came(1, 3.3));
+        QVERIFY(came(0, 0.0));
+        QVERIFY(came(2, 0.5) && !meter.nearForceLimit());
+        session::FidelitySample paused = sampleOf(2, 0.5, now_ns += 1'000'000);
+        paused.paused = 1;
+        meter.add(paused);
+        QVERIFY(meter.cameNearForceLimit());
+        meter.begin(asked);
+        QVERIFY(!meter.cameNearForceLimit());
+        QVERIFY(!came(2, 0.5));
+    }
+
     /// Where every place is to be touched, one that was not is the reason, before all others.
     void untouchedPlacesAreTold() {
         for (const int touched : {0b11, 0b01, 0b10}) {
