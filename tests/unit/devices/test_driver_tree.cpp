@@ -31,9 +31,7 @@ constexpr Exception kExceptions[]{
     {"modules/devices/driver.h", "gimbal_hprd", 1,
      "a request can give this mechanism's true parameters (DriverRequest::plant), so that it can be "
      "measured"},
-    {"app/exercises/palpation/session/palpation_kind.h", "fingertip_arm", 2,
-     "an exercise says in its own folder on which mechanisms its operators know how to work"},
-    {"app/exercises/palpation/session/palpation_kind.h", "gimbal_hprd", 1,
+    {"app/exercises/palpation/session/palpation_kind.h", "fingertip_arm", 1,
      "an exercise says in its own folder on which mechanisms its operators know how to work"},
     {"app/exercises/urethra_insertion/session/urethra_insertion_kind.h", "five_bar_spherical", 1,
      "an exercise says in its own folder on which mechanisms its operators know how to work"},
