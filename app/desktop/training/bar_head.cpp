@@ -17,7 +17,8 @@ bool BarHead::fit(int width_px, const QStringList& words) {
     int longest_px = 0;
     for (const QString& each : words)
         longest_px = std::max(longest_px, metrics.horizontalAdvance(each));
-    const bool beside = metrics.horizontalAdvance(m_name) + m_theme.px(kBesideGap_px) + longest_px <= width_px;
+    const bool beside =
+        metrics.horizontalAdvance(m_name) + m_theme.px(kBesideGap_px) + longest_px <= width_px;
     const int lines = beside || longest_px == 0 ? 1 : 2;
     return std::exchange(m_lines, lines) != lines;
 }
