@@ -172,8 +172,8 @@ struct StudyTrial {
 /// StudyTrial::spoiled of the trial at hand when a run was stopped.
 inline constexpr std::string_view kInterrupted = "stopped";
 
-/// Whether a trial did not count because something was wrong with it, so that it was presented again. Practice
-/// is never repeated in this sense, nor is the trial that a stop of the run interrupted.
+/// Whether a trial did not count because something was wrong with it, so that it was presented again.
+/// Practice is never repeated in this sense, nor is the trial that a stop of the run interrupted.
 inline bool isRepeated(const StudyTrial& trial) {
     return !trial.practice && !trial.spoiled.empty() && trial.spoiled != kInterrupted;
 }
@@ -194,8 +194,8 @@ struct ParticipantQuality {
     /// false if force was only shown in any trial; none if nothing was rendered.
     std::optional<bool> felt;
     int presentations = 0;
-    int practice = 0;                                 ///< of the presentations
-    int scored = 0;                                   ///< of the presentations
+    int practice = 0; ///< of the presentations
+    int scored = 0;   ///< of the presentations
     /// Of the presentations, those that are repeated (isRepeated): reason and count, by reason.
     std::vector<std::pair<std::string, int>> spoiled;
     double exploration_s = std::numeric_limits<double>::quiet_NaN(); ///< median over scored trials
