@@ -78,6 +78,10 @@ bool RecoveryCodePanel::isConfirmed() const {
     return m_written->isChecked();
 }
 
+QString RecoveryCodePanel::printedText() const {
+    return tr("Chiron: recovery code of %1\n\n%2\n\nKeep it as safe as your keys.").arg(m_name, m_code);
+}
+
 void RecoveryCodePanel::print() {
     auto* printer = new QPrinter(QPrinter::ScreenResolution);
     auto* dialog = new QPrintDialog(printer, this);
@@ -86,9 +90,7 @@ void RecoveryCodePanel::print() {
     connect(dialog, &QDialog::accepted, this, [this, printer] {
         QPainter painter(printer);
         painter.setFont(m_theme.font(TextStyle::title));
-        const QString text =
-            tr("Chiron: recovery code of %1\n\n%2\n\nKeep it as safe as your keys.").arg(m_name, m_code);
-        painter.drawText(painter.viewport(), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, text);
+        painter.drawText(painter.viewport(), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, printedText());
     });
     dialog->open();
 }

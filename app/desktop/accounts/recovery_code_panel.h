@@ -25,6 +25,8 @@ public:
     /// somebody takes them.
     QWidget* foot() const { return m_foot; }
     bool isConfirmed() const;
+    /// The text of the printed sheet.
+    QString printedText() const;
 
 signals:
     void finished(); ///< the person ticked the box and went on

@@ -233,6 +233,8 @@ private slots:
     void codes() {
         RecoveryCodePanel panel(m_theme, QStringLiteral("ada"), QStringLiteral("AAAAA-BBBBB"),
                                 RecoveryCodePanel::Backups::haveEarlierCode);
+        QVERIFY(
+            panel.printedText().startsWith(QStringLiteral("Chiron: recovery code of ada\n\nAAAAA-BBBBB\n")));
         begin(panel);
         connect(&panel, &RecoveryCodePanel::finished, &panel, [this] { say(QStringLiteral("finished")); });
         click(panel, "recovery.continue");
