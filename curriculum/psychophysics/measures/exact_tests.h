@@ -20,7 +20,7 @@ struct ProportionInterval {
 /// trials.
 ProportionInterval exactInterval(long long right, long long of, double level = 0.95) noexcept;
 /// Returns the score interval of Wilson (1927); with `continuity` it has the correction of Newcombe (1998,
-/// method 4), as in R's prop.test.
+/// method 4), as in R's prop.test. 0..1 for no trials.
 ProportionInterval wilsonInterval(long long right, long long of, double level = 0.95,
                                   bool continuity = false) noexcept;
 

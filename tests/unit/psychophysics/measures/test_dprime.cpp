@@ -55,6 +55,9 @@ private slots:
 void TestDPrime::sensR() {
     PublishedLine line("published_small_checks.json sensR_tests");
     const DPrimeEstimate score = dPrimeOfCounts(kTetrad, 10, 15, ProportionLimits::score);
+    for (const ProportionInterval& nothing : {wilsonInterval(0, 0), wilsonInterval(0, 0, 0.95, true),
+                                              exactInterval(0, 0)}) // of no trials, everything is possible
+        QVERIFY(nothing.low == 0.0 && nothing.high == 1.0);
     const ProportionInterval share = wilsonInterval(10, 15, 0.95, true);
     line.compare(score.proportion, 0.6667, 5e-5);
     line.compare(share.low, 0.3869, 5e-5);
