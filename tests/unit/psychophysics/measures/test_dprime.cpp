@@ -49,6 +49,7 @@ private slots:
     void tails();
     void orderTable();
     void ratesAtTheirLimitsAreSaid();
+    void impossibleCountsAreRefused();
 };
 
 /// sensR, tests/discrim.Rout.save (published_small_checks.json, sensR_tests): last printed digit.
@@ -249,6 +250,18 @@ void TestDPrime::orderTable() {
     }
     qInfo("rank-3 table against the integral: %.2g", worst);
     QVERIFY(worst < 1e-7);
+}
+
+/// Without trials of one kind, or with counts that cannot be, there is no estimate and a warning says so.
+void TestDPrime::impossibleCountsAreRefused() {
+    const auto refused = [](const DPrimeEstimate& estimate) {
+        return estimate.warnings.size() == 1 && estimate.warnings.front().starts_with("no_trials") &&
+               std::isnan(estimate.dPrime);
+    };
+    QVERIFY(refused(sameDifferentOfCounts(0, 0, 3, 10)) && refused(sameDifferentOfCounts(3, 10, 0, 0)));
+    QVERIFY(refused(sameDifferentOfCounts(11, 10, 3, 10)) && refused(sameDifferentOfCounts(3, 10, 11, 10)));
+    QVERIFY(refused(sameDifferentOfCounts(-1, 10, 3, 10)) && refused(sameDifferentOfCounts(3, 10, -1, 10)));
+    QVERIFY(!refused(sameDifferentOfCounts(10, 10, 0, 10)) && !refused(sameDifferentOfCounts(0, 1, 0, 1)));
 }
 
 /// Of 20 places with and 24 without the stimulus.
