@@ -209,10 +209,12 @@ void SessionsScreen::fitColumns() {
         m_table->setColumnHidden(column, true);
         wanted_px -= m_widths[static_cast<std::size_t>(column)];
     }
-    // What is still too wide is taken from the names, which the tool tip has whole.
+    // What is still too wide is taken from the names, which the tool tip has whole. A width that somebody
+    // chose stays where there is room.
     const int name_px = m_widths[SessionTableModel::person];
     const int lack_px = std::max(0, wanted_px - m_table->viewport()->width());
-    m_table->setColumnWidth(SessionTableModel::person, name_px - std::min(lack_px, name_px / 4));
+    if (lack_px > 0 || m_table->columnWidth(SessionTableModel::person) < name_px)
+        m_table->setColumnWidth(SessionTableModel::person, name_px - std::min(lack_px, name_px / 4));
     m_model->setOperatorWithPerson(m_table->isColumnHidden(SessionTableModel::operatorName));
 }
 

@@ -9,7 +9,7 @@
 namespace chiron::desktop {
 
 /// How many of a condition's simulated runs would give no value that a group can use, and from how many
-/// trials on hardly any would. `plan`: with simulated runs. Thread: GUI.
+/// trials on hardly any would. `plan`: with simulated runs and `withoutValue`. Thread: GUI.
 QString runsWithoutValueWords(const psychophysics::ConditionPlan& plan, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -36,6 +36,7 @@ double heaviest_N(const psychophysics::StudyDesign& design) {
 } // namespace
 
 std::optional<FreezeCheck> weightCheck(const psychophysics::StudyDesign& design, const QLocale& locale) {
+    static_assert(session::FidelityMeter::kNearForceLimit == 0.8); // the words below say 80 %
     const double weight_N = heaviest_N(design);
     const double told_N = session::FidelityMeter::kNearForceLimit * design.fidelity.peakForce_N;
     if (weight_N <= told_N)

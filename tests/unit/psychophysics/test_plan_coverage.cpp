@@ -100,6 +100,8 @@ void TestPlanCoverage::shortRunsWithoutValuesAreCounted() {
     apex.runs = 40; // nothing is left out of marks
     examineLength(apex, condition, observer, 7);
     QVERIFY(!oftenWithoutValue(apex) && apex.trialsForValues == 0);
+    condition.stimulus.attribute = Attribute::apex;
+    QVERIFY(!planCondition(condition, {}, observer, 2, 7).withoutValue);
     for (const auto& [without, runs, often] :
          {std::tuple{0, 0, false}, {0, 40, false}, {1, 40, false}, {2, 40, true}, {40, 40, true}}) {
         ConditionPlan plan;

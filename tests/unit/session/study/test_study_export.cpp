@@ -8,6 +8,7 @@
 #include "session/study/study_runner.h"
 #include "session/study_export.h"
 #include "session/study_export_data.h"
+#include "session/study_export_tables.h"
 #include "simulation/attributes/bristle_friction.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
@@ -167,6 +168,38 @@ private slots:
         QVERIFY(scored[0].difference == 0.25 && !scored[0].value);
         QVERIFY(scored[1].answer == -1 && scored[1].value == 0.02);
         QVERIFY(session::scoredTrialsOf({practice, undone, spoiled, unanswered}).empty());
+    }
+    /// What a stop interrupted is counted apart from what was presented again, as everywhere else.
+    void interruptionsAreNotRepetitions() {
+        Site site;
+        const auto connection = site.fixture.database->openReader();
+        database::StudyReader reader(**connection, site.actor);
+        auto data = session::gatherStudy(reader, site.study);
+        QVERIFY(data);
+        std::vector<database::StudyTrial>& trials = data->participants.front().runs.front().trials;
+        QVERIFY(!trials.empty());
+        trials.resize(8, trials.front());
+        for (database::StudyTrial& trial : trials) {
+            trial.practice = false;
+            trial.spoiled.clear();
+        }
+        trials[0].practice = true;
+        trials[0].spoiled = "taken_back";
+        trials[1].spoiled = trials[2].spoiled = "speed";
+        trials[3].spoiled = database::kInterrupted;
+        const session::ExportTable table = session::runsTable(*data);
+        const auto count = [&](const char* name) {
+            for (std::size_t i = 0; i < table.columns.size(); ++i)
+                if (QString(table.columns[i].name) == QLatin1String(name))
+                    return table.rows.front()[static_cast<qsizetype>(i)].toInt();
+            return -1;
+        };
+        const int all = static_cast<int>(trials.size());
+        QCOMPARE(count("presentations"), all);
+        QCOMPARE(count("practice"), 1);
+        QCOMPARE(count("spoiled"), 2);
+        QCOMPARE(count("interrupted"), 1);
+        QCOMPARE(count("scored"), all - 4);
     }
     /// The order that was said is right where it is the one that lay there, the first of all orders like any
     /// other.
