@@ -100,7 +100,8 @@ function(_chiron_make_batch batch tests)
 endfunction()
 
 # Begun first, the longest first: what comes last alone leaves a core idle. (ctest knows durations only from an earlier run.)
-set(CHIRON_LONG_RUNS test_walk test_kept_commands test_every_button test_cli_device test_fit_degenerate test_fit_published_posterior
+set(CHIRON_LONG_RUNS test_kept_commands test_participant_page test_walk test_every_button test_study_design test_fit_published_posterior
+    test_fit_degenerate test_cli_device test_message_room test_palette_search test_every_debrief test_every_ready_card
     test_urethra_operators test_palpation_bench test_training_screen_xvfb test_training_screen
     test_urethra_training_xvfb test_urethra_training test_session_replay test_apex_operators test_two_hands test_malformed_content
     test_urethra_forces_energy test_lock test_lists_screens test_flipped_bits test_cli_questionnaires test_apex_trials test_cli_apex_study)
@@ -131,7 +132,7 @@ endfunction()
 add_custom_target(chiron_thread_tests)
 # Where memory is handled by hand: bytes from outside, buffers, meshes, drivers, what the loop shares. CI runs these folders' tests under the
 # address and undefined sanitizers (label memory); scripts/test --sanitizers runs all.
-set(CHIRON_MEMORY_FOLDERS unit/core unit/realtime unit/devices unit/recording unit/simulation/mesh unit/catalogue realtime content fuzz)
+set(CHIRON_MEMORY_FOLDERS unit/core unit/station unit/realtime unit/devices unit/recording unit/simulation/mesh unit/catalogue realtime content fuzz)
 add_custom_target(chiron_memory_tests)
 function(chiron_test name)
     cmake_parse_arguments(T "QT;GUI;THREADS;OWN_FLAGS;ALONE" "TIMEOUT" "SOURCES;LINKS;LABELS;LIBRARIES" ${ARGN})

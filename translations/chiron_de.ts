@@ -481,8 +481,8 @@
         <translation>Schließen Sie den Griff. Zum Öffnen der Branchen öffnen Sie ihn.</translation>
     </message>
     <message>
-        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
-        <translation>Senken Sie den Griff, bis die Spitze berührt. Zum Anheben der Spitze heben Sie ihn an.</translation>
+        <source>Lower the handle until the tip makes contact. To raise the tip, raise the handle.</source>
+        <translation>Senken Sie den Griff, bis die Spitze aufsetzt. Zum Anheben der Spitze heben Sie ihn an.</translation>
     </message>
     <message>
         <source>Press the button of the handle, or Enter, while you touch the place.</source>
@@ -544,8 +544,8 @@
         <translation>Dieses Feld ist leer. Schreiben Sie etwas hinein.</translation>
     </message>
     <message>
-        <source>Use lower-case letters, digits and _ only, a letter first.</source>
-        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden, zuerst ein Buchstabe.</translation>
+        <source>Use only lower-case letters, digits and _, and begin with a letter.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden und mit einem Buchstaben beginnen.</translation>
     </message>
     <message>
         <source>A level lies outside the table of differences. Choose one within it, or change the table.</source>
@@ -646,6 +646,14 @@
         <source>How the gimbal renders force</source>
         <translation>Wie der Gimbal Kraft ausgibt</translation>
     </message>
+    <message>
+        <source>Haptic device over a network or serial line</source>
+        <translation>Haptisches Gerät über Netzwerk oder serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Its forces are felt. Only the command line uses it so far (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
+        <translation>Seine Kräfte sind zu spüren. Bisher wird es nur über die Befehlszeile benutzt (siehe chiron-cli train --help). Mit einer Nachbildung geprüft; an echter Hardware wurde es noch nie erprobt.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -656,8 +664,8 @@ Details: %2</source>
 Einzelheiten: %2</translation>
     </message>
     <message>
-        <source>Your account does not permit this. Ask an administrator if it should.</source>
-        <translation>Ihr Konto erlaubt das nicht. Fragen Sie die Administration, falls es das sollte.</translation>
+        <source>Your account does not permit this. If you need it, ask an administrator.</source>
+        <translation>Ihr Konto erlaubt das nicht. Wenn Sie diese Berechtigung brauchen, fragen Sie die Administration.</translation>
     </message>
     <message>
         <source>It no longer exists or was never created. Nothing was changed.</source>
@@ -665,7 +673,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>It could not be saved. What was recorded before is kept; check the free space and try again.</source>
-        <translation>Speichern ist fehlgeschlagen. Was bisher aufgezeichnet wurde, bleibt erhalten; prüfen Sie den freien Speicherplatz und versuchen Sie es noch einmal.</translation>
+        <translation>Das Speichern ist fehlgeschlagen. Was bisher aufgezeichnet wurde, bleibt erhalten; prüfen Sie den freien Speicherplatz und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Another program is writing to this database. Close the database there, then try again.</source>
@@ -693,7 +701,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>It could not be read. Check that the drive is connected and that you may read the file, then try again. Nothing was changed.</source>
-        <translation>Lesen ist fehlgeschlagen. Prüfen Sie, ob das Laufwerk angeschlossen ist und ob Sie die Datei lesen dürfen, und versuchen Sie es noch einmal. Nichts wurde geändert.</translation>
+        <translation>Das Lesen ist fehlgeschlagen. Prüfen Sie, ob das Laufwerk angeschlossen ist und ob Sie die Datei lesen dürfen, und versuchen Sie es noch einmal. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>The stored data are not valid. Nothing was changed.</source>
@@ -728,23 +736,23 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>There is no answer to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
+        <translation>Es gibt keine Antwort, die gezeigt werden kann. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is nothing of the procedure to show. The session is kept and listed.</source>
-        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
+        <translation>Vom Eingriff gibt es nichts, was gezeigt werden kann. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no tension to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Spannung zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
+        <translation>Es gibt keine Spannung, die gezeigt werden kann. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no object to show. The session is kept and listed.</source>
-        <translation>Es gibt kein Objekt zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
+        <translation>Es gibt kein Objekt, das gezeigt werden kann. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no search to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Suche zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
+        <translation>Es gibt keine Suche, die gezeigt werden kann. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>What was compared and answered is shown with its study.</source>
@@ -803,6 +811,46 @@ Einzelheiten: %2</translation>
     <message>
         <source>This device renders no force: the force is shown beside the scene.</source>
         <translation>Dieses Gerät gibt keine Kraft aus: Die Kraft wird neben der Szene gezeigt.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
+        <translation>Die Leertaste pausiert. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; ein zweites Esc fragt, ob Sie die Sitzung beenden möchten.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops the trial at once, and R goes on; Esc again asks whether to stop the session.</source>
+        <translation>Die Leertaste pausiert. Esc hält den Durchgang sofort an, R setzt ihn fort; ein zweites Esc fragt, ob Sie die Sitzung beenden möchten.</translation>
+    </message>
+    <message>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
+        <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung beendet werden soll. T gibt den Mauszeiger frei.</translation>
+    </message>
+    <message>
+        <source>Esc stops the trial at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
+        <translation>Esc hält den Durchgang sofort an; noch einmal gedrückt, fragt es, ob die Sitzung beendet werden soll. T gibt den Mauszeiger frei.</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Kraft ist gestoppt</translation>
+    </message>
+    <message>
+        <source>The trial is stopped</source>
+        <translation>Der Durchgang ist angehalten</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Kraft stoppen</translation>
+    </message>
+    <message>
+        <source>Stop the trial</source>
+        <translation>Durchgang anhalten</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Kraft freigeben</translation>
+    </message>
+    <message>
+        <source>Go on after a stop</source>
+        <translation>Nach dem Anhalten fortfahren</translation>
     </message>
 </context>
 <context>
@@ -920,8 +968,8 @@ Einzelheiten: %2</translation>
         <translation>Kraft steigt an</translation>
     </message>
     <message>
-        <source>It rises slowly (now %1 %); the clock starts at full strength.</source>
-        <translation>Sie steigt langsam an (jetzt %1 %); die Uhr startet bei voller Stärke.</translation>
+        <source>It rises slowly (now %1 %). The clock starts once it has reached full strength.</source>
+        <translation>Sie steigt langsam an (jetzt %1 %). Die Uhr startet, sobald die volle Stärke erreicht ist.</translation>
     </message>
     <message>
         <source>Force is on</source>
@@ -1038,10 +1086,6 @@ Einzelheiten: %2</translation>
         <translation>Dauer</translation>
     </message>
     <message>
-        <source>At most about %1 minutes for each participant.</source>
-        <translation>Höchstens etwa %1 Minuten je Person.</translation>
-    </message>
-    <message>
         <source>About %1 minutes for each participant, as simulated.</source>
         <translation>Simuliert etwa %1 Minuten je Person.</translation>
     </message>
@@ -1060,10 +1104,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>The threshold of one run varies by a factor of %1.</source>
         <translation>Die Schwelle eines Laufs streut um den Faktor %1.</translation>
-    </message>
-    <message>
-        <source>More trials make it more precise; Preview shows how many.</source>
-        <translation>Mehr Durchgänge machen sie genauer; die Vorschau zeigt, wie viele.</translation>
     </message>
     <message>
         <source>Pilot</source>
@@ -1112,7 +1152,7 @@ Einzelheiten: %2</translation>
         <translation>Maskierungsgeräusch</translation>
     </message>
     <message>
-        <source>It is switched off. Participants may hear the device, and what they hear may tell objects apart.</source>
+        <source>It is switched off. Participants may hear the device, and its sound may tell them which object is which.</source>
         <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät, und was sie hören, kann Objekte unterscheidbar machen.</translation>
     </message>
     <message>
@@ -1136,14 +1176,6 @@ Einzelheiten: %2</translation>
         <translation>Simulierte Beobachter durchlaufen die Studie noch …</translation>
     </message>
     <message>
-        <source>With %1 participants, a ratio of %2 between two conditions is detected with 80 % power.</source>
-        <translation>Mit %1 Teilnehmenden wird zwischen zwei Bedingungen ein Verhältnis von %2 mit einer Teststärke von 80 % entdeckt.</translation>
-    </message>
-    <message>
-        <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
-        <translation>Mit so wenigen Teilnehmenden wird zwischen zwei Bedingungen kein Verhältnis bis 10 entdeckt.</translation>
-    </message>
-    <message>
         <source>Usable values</source>
         <translation>Brauchbare Werte</translation>
     </message>
@@ -1154,6 +1186,38 @@ Einzelheiten: %2</translation>
     <message>
         <source>The device of this station renders force.</source>
         <translation>Das Gerät dieses Arbeitsplatzes gibt Kraft aus.</translation>
+    </message>
+    <message>
+        <source>More trials make it more precise; the page Expected precision shows how many.</source>
+        <translation>Mehr Durchgänge machen es genauer; die Seite „Erwartete Genauigkeit“ zeigt, wie viele.</translation>
+    </message>
+    <message>
+        <source>Not possible yet. Correct first: %1. “Show” beside the red line leads there.</source>
+        <translation>Noch nicht möglich. Berichtigen Sie zuerst: %1. „Zeigen“ neben der roten Zeile führt dorthin.</translation>
+    </message>
+    <message>
+        <source>Please wait a moment: simulated observers are still running through the study.</source>
+        <translation>Bitte warten Sie einen Moment: Simulierte Beobachter durchlaufen die Studie noch.</translation>
+    </message>
+    <message>
+        <source>Tick the box above first: it confirms what is marked as worth a look.</source>
+        <translation>Setzen Sie zuerst das Häkchen oben: Es bestätigt, was als beachtenswert markiert ist.</translation>
+    </message>
+    <message>
+        <source>An object counts as explored once it is lifted off the table.</source>
+        <translation>Ein Objekt gilt als erkundet, sobald es vom Tisch gehoben ist.</translation>
+    </message>
+    <message>
+        <source>For each participant: %1.</source>
+        <translation>Je Person: %1.</translation>
+    </message>
+    <message>
+        <source>With %1 participants, a comparison of two conditions finds a difference with 80 % power if the Weber fraction of one is at least %2 times that of the other.</source>
+        <translation>Mit %1 Teilnehmenden weist ein Vergleich zweier Bedingungen einen Unterschied mit 80 % Teststärke nach, wenn der Weber-Bruch der einen mindestens das %2-Fache des anderen ist.</translation>
+    </message>
+    <message>
+        <source>With so few participants, a comparison of two conditions would often fail to show even a Weber fraction that is ten times the other.</source>
+        <translation>Mit so wenigen Teilnehmenden würde ein Vergleich zweier Bedingungen oft sogar einen Weber-Bruch übersehen, der das Zehnfache des anderen ist.</translation>
     </message>
 </context>
 <context>
@@ -1700,7 +1764,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How far the tip of the tool travelled in all trials together.</source>
-        <translation>Wie weit die Instrumentenspitze in allen Durchgängen zusammen unterwegs war.</translation>
+        <translation>Welchen Weg die Instrumentenspitze in allen Durchgängen zusammen zurücklegte.</translation>
     </message>
     <message>
         <source>Path inefficiency</source>
@@ -1756,7 +1820,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The force on the tissue was below this for 95 % of the time.</source>
-        <translation>Die Kraft auf das Gewebe lag 95 % der Zeit darunter.</translation>
+        <translation>Die Kraft auf das Gewebe lag 95 % der Zeit unter diesem Wert.</translation>
     </message>
     <message>
         <source>Peak force rate</source>
@@ -1903,7 +1967,7 @@ Einzelheiten: %2</translation>
         <translation>Ausrichtung an der Biegung</translation>
     </message>
     <message>
-        <source>Alignment round the bend</source>
+        <source>Alignment in the bend</source>
         <translation>Ausrichtung in der Biegung</translation>
     </message>
     <message>
@@ -1944,7 +2008,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How far the endoscope was pushed on in the bend while it was being turned: stop, turn, and only then go on.</source>
-        <translation>Wie weit das Endoskop in der Biegung vorgeschoben wurde, während es gedreht wurde: anhalten, drehen und erst dann weitergehen.</translation>
+        <translation>Wie weit das Endoskop in der Biegung vorgeschoben wurde, während es gedreht wurde: anhalten, drehen und erst dann weiter vorschieben.</translation>
     </message>
     <message>
         <source>Largest torque</source>
@@ -1983,8 +2047,8 @@ Einzelheiten: %2</translation>
         <translation>Weg der Spitze bei der Inspektion</translation>
     </message>
     <message>
-        <source>How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.</source>
-        <translation>Wie weit sich die Spitze bewegte, während die Blase inspiziert wurde: Drehen zeigt ebenso viel und schadet weniger.</translation>
+        <source>How far the tip travelled while the bladder was inspected: turning the endoscope shows as much and does less harm.</source>
+        <translation>Wie weit sich die Spitze bewegte, während die Blase inspiziert wurde: Das Endoskop zu drehen zeigt ebenso viel und schadet weniger.</translation>
     </message>
     <message>
         <source>Insertion depth</source>
@@ -2147,7 +2211,7 @@ Einzelheiten: %2</translation>
         <translation>Gefundene Knoten</translation>
     </message>
     <message>
-        <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
+        <source>Lumps with a finding close enough to count. A lump that was pressed harder than the limit does not count.</source>
         <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als bis zur Grenze gedrückt wurde, zählt nicht.</translation>
     </message>
     <message>
@@ -2155,7 +2219,7 @@ Einzelheiten: %2</translation>
         <translation>Übersehene Knoten</translation>
     </message>
     <message>
-        <source>Lumps with no finding near enough to them.</source>
+        <source>Lumps with no finding close enough to count.</source>
         <translation>Knoten, in deren Nähe kein Fund gemeldet wurde.</translation>
     </message>
     <message>
@@ -2252,7 +2316,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>fewer than two lumps were found and given a hardness</source>
-        <translation>es wurden weniger als zwei Knoten gefunden und ihre Härte angegeben</translation>
+        <translation>zu weniger als zwei gefundenen Knoten wurde die Härte angegeben</translation>
     </message>
     <message>
         <source>there were fewer than two lumps</source>
@@ -2299,7 +2363,7 @@ Einzelheiten: %2</translation>
         <translation>Reihenfolge der Härte</translation>
     </message>
     <message>
-        <source>In how many pairs of lumps found in a trial the harder one was rated harder, in %. Guessing gives 50 % or less.</source>
+        <source>How often the harder of two lumps found in a trial was also rated harder, in % of all such pairs. Guessing gives 50 % or less.</source>
         <translation>Bei wie vielen Paaren gefundener Knoten eines Durchgangs der härtere auch härter genannt wurde, in %. Durch Raten sind es höchstens 50 %.</translation>
     </message>
     <message>
@@ -2324,7 +2388,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>How long a finger pressed the tissue, in all trials together.</source>
-        <translation>Wie lange ein Finger das Gewebe drückte, in allen Durchgängen zusammen.</translation>
+        <translation>Wie lange ein Finger auf das Gewebe drückte, in allen Durchgängen zusammen.</translation>
     </message>
     <message>
         <source>Time searching</source>
@@ -2368,7 +2432,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>in no trial were two lumps found and given a hardness</source>
-        <translation>in keinem Durchgang wurden zwei Knoten gefunden und ihre Härte angegeben</translation>
+        <translation>in keinem Durchgang wurde zu zwei gefundenen Knoten die Härte angegeben</translation>
     </message>
     <message>
         <source>the lumps that were found are equally hard</source>
@@ -2427,8 +2491,8 @@ Einzelheiten: %2</translation>
         <translation>Größte Fehlausrichtung</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
-        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen, und ein Führungsring ist doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: when the two are in line, the wall near the tip is equally wide all round, and a guide ring, where there is one, is drawn double. In a bend the urethra then continues beside the middle of the picture.</source>
+        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Liegen beide in einer Linie, ist die Wand nahe der Spitze rundum gleich breit, und ein Führungsring, falls vorhanden, erscheint doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
     </message>
     <message>
         <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
@@ -2685,10 +2749,6 @@ Einzelheiten: %2</translation>
         </translation>
     </message>
     <message>
-        <source>at most about %1 min</source>
-        <translation>höchstens etwa %1 min</translation>
-    </message>
-    <message>
         <source>as long as the answers take</source>
         <translation>so lange, wie die Antworten dauern</translation>
     </message>
@@ -2763,6 +2823,34 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1 before, %2 after each condition, %3 after</source>
         <translation>%1 vorher, %2 nach jeder Bedingung, %3 nachher</translation>
+    </message>
+    <message>
+        <source>%1 in each condition, %2 in all</source>
+        <translation>%1 in jeder Bedingung, %2 insgesamt</translation>
+    </message>
+    <message>
+        <source>%1 in all (by condition: %2)</source>
+        <translation>%1 insgesamt (je Bedingung: %2)</translation>
+    </message>
+    <message>
+        <source>instructions, controls, a free minute, practice (%1), then the trials that count</source>
+        <translation>Anleitung, Bedienung, eine freie Minute, Übung (%1), dann die Durchgänge, die zählen</translation>
+    </message>
+    <message>
+        <source>instructions, controls, a free minute, then the trials that count</source>
+        <translation>Anleitung, Bedienung, eine freie Minute, dann die Durchgänge, die zählen</translation>
+    </message>
+    <message>
+        <source>Sequence in each condition</source>
+        <translation>Ablauf in jeder Bedingung</translation>
+    </message>
+    <message>
+        <source>about %1 min for all trials, if each takes %2 s</source>
+        <translation>etwa %1 min für alle Durchgänge, wenn jeder %2 s dauert</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3153,50 @@ Einzelheiten: %2</translation>
     <message>
         <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
         <translation>Drücken Sie sanft und bewegen Sie sich ruhig: Ein Durchgang, in dem Sie mit mehr als %1 drücken oder sich im Mittel schneller als %2 pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Before that you have a free minute to try the controls, which does not count either.</source>
+        <translation>Davor haben Sie eine freie Minute, um die Bedienung auszuprobieren; auch sie zählt nicht.</translation>
+    </message>
+    <message>
+        <source>Before the trials you have a free minute to try the controls, which does not count.</source>
+        <translation>Vor den Durchgängen haben Sie eine freie Minute, um die Bedienung auszuprobieren; sie zählt nicht.</translation>
+    </message>
+    <message>
+        <source>Move calmly and put objects down gently: a trial in which you press one onto the table with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Bewegen Sie sich ruhig und setzen Sie Objekte sanft ab: Ein Durchgang, in dem Sie eines mit mehr als %1 auf den Tisch drücken oder sich im Mittel schneller als %2 pro Sekunde bewegen, wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>The device pushes back against your hand. You can let go at any time, and the Esc key switches its force off at once.</source>
+        <translation>Das Gerät drückt gegen Ihre Hand. Sie können jederzeit loslassen, und die Esc-Taste schaltet seine Kraft sofort ab.</translation>
+    </message>
+    <message>
+        <source>The device of this station renders no force: you see how objects respond, and nothing pushes against your hand.</source>
+        <translation>Das Gerät an diesem Arbeitsplatz gibt keine Kraft wieder: Sie sehen, wie Objekte nachgeben, und nichts drückt gegen Ihre Hand.</translation>
+    </message>
+    <message>
+        <source>Lift every object before you answer.</source>
+        <translation>Heben Sie jedes Objekt an, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>Pull every object before you answer; the screen says when more force is needed.</source>
+        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+    </message>
+    <message>
+        <source>Pull every object before you answer.</source>
+        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>Explore every object before you answer; the screen says when more force is needed.</source>
+        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+    </message>
+    <message>
+        <source>Explore every object before you answer.</source>
+        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>The device pushes back against your hand, with at most %1. You can let go at any time, and the Esc key switches its force off at once.</source>
+        <translation>Das Gerät drückt gegen Ihre Hand, mit höchstens %1. Sie können jederzeit loslassen, und die Esc-Taste schaltet seine Kraft sofort ab.</translation>
     </message>
 </context>
 <context>
@@ -3909,7 +4041,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Step down as a share of a step up</source>
-        <translation>Schritt nach unten, Anteil des Schritts nach oben</translation>
+        <translation>Schritt nach unten als Anteil des Schritts nach oben</translation>
     </message>
     <message>
         <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
@@ -3936,8 +4068,8 @@ Einzelheiten: %2</translation>
         <translation>Anfangs einer auf, einer ab</translation>
     </message>
     <message>
-        <source>Right and wrong answers before a step do not count for the next one.</source>
-        <translation>Richtige und falsche Antworten vor einem Schritt zählen für den nächsten nicht.</translation>
+        <source>After each step, right and wrong answers are counted from zero.</source>
+        <translation>Nach jedem Schritt werden richtige und falsche Antworten wieder von null gezählt.</translation>
     </message>
     <message>
         <source>New step size at the reversal</source>
@@ -4052,8 +4184,8 @@ Einzelheiten: %2</translation>
         <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
     </message>
     <message>
-        <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
-        <translation>Mögliche Grenzen: Zwei Objekte, deren gespürter Unterschied kleiner ist, werden gleich genannt. In Standardabweichungen des Gespürten.</translation>
+        <source>Values of the limit that are considered possible: two objects are called equal when the difference felt is below it. In standard deviations of what is felt.</source>
+        <translation>Werte der Grenze, die als möglich gelten: Zwei Objekte werden gleich genannt, wenn ihr gespürter Unterschied darunter liegt. In Standardabweichungen des Gespürten.</translation>
     </message>
     <message>
         <source>The just noticeable difference is assumed to lie between these two values.</source>
@@ -4072,16 +4204,16 @@ Einzelheiten: %2</translation>
         <translation>Der erste gilt bis zur ersten Umkehrung, nach jeder Umkehrung der nächste; der letzte gilt weiter.</translation>
     </message>
     <message>
-        <source>In the same order as the steps up; none: the same as the steps up.</source>
-        <translation>In derselben Reihenfolge wie die Schritte nach oben; keiner: wie nach oben.</translation>
-    </message>
-    <message>
         <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
         <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort den nächsten Durchgang schwerer, sodass der Lauf schneller in die Nähe der Schwelle kommt.</translation>
     </message>
     <message>
         <source>A level ends once the number of right answers differs from the expected one by more than this. Larger values take longer and make the decision more reliable.</source>
         <translation>Eine Stufe endet, sobald die Zahl richtiger Antworten um mehr als diesen Wert von der erwarteten abweicht. Größere Werte dauern länger und machen die Entscheidung zuverlässiger.</translation>
+    </message>
+    <message>
+        <source>In the same order as the steps up. Without an entry, the steps down are as large as the steps up.</source>
+        <translation>In derselben Reihenfolge wie die Schritte nach oben. Ohne Eintrag sind die Schritte nach unten so groß wie die nach oben.</translation>
     </message>
 </context>
 <context>
@@ -4479,8 +4611,8 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n people have an account already and would be left as they are.</source>
         <translation>
-            <numerusform>%n Person hat schon ein Konto und bliebe, wie sie ist.</numerusform>
-            <numerusform>%n Personen haben schon ein Konto und blieben, wie sie sind.</numerusform>
+            <numerusform>%n Person hat schon ein Konto und bliebe unverändert.</numerusform>
+            <numerusform>%n Personen haben schon ein Konto und blieben unverändert.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4620,7 +4752,7 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>The list has the earlier full name %1; the one of today stays.</source>
+        <source>The list has the earlier full name %1; today&apos;s name stays.</source>
         <translation>Die Liste hat den früheren vollständigen Namen %1; der heutige bleibt.</translation>
     </message>
     <message>
@@ -4628,10 +4760,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>%1 hieße dann %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
+        <source>%n people are listed under an earlier full name and keep today&apos;s name. To give somebody an earlier name back, edit the person.</source>
         <translation>
-            <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
-            <numerusform>%n Personen stehen unter einem früheren vollständigen Namen in der Liste und behalten den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
+            <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um ihr einen früheren Namen wiederzugeben, bearbeiten Sie die Person.</numerusform>
+            <numerusform>%n Personen stehen unter einem früheren vollständigen Namen in der Liste und behalten den heutigen. Um jemandem einen früheren Namen wiederzugeben, bearbeiten Sie die Person.</numerusform>
         </translation>
     </message>
     <message>
@@ -4644,7 +4776,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Would be left as it is</source>
-        <translation>Bliebe, wie sie ist</translation>
+        <translation>Bliebe unverändert</translation>
     </message>
     <message>
         <source>Would be updated</source>
@@ -5239,7 +5371,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Station check: timing of the force loop</source>
-        <translation>Prüfung des Arbeitsplatzes: Zeitverhalten der Kraftschleife</translation>
+        <translation>Prüfung des Arbeitsplatzes: Zeitverhalten der Kraftregelung</translation>
     </message>
     <message>
         <source>Passed. %1</source>
@@ -5435,10 +5567,6 @@ Einzelheiten: %2</translation>
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
-        <translation>Drücken Sie die Spitze in das Objekt oder streichen Sie darüber. Heben Sie den Griff, um loszulassen.</translation>
-    </message>
-    <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
         <translation>Klicken Sie oder drücken Sie Enter, während das Instrument an der Stelle ist.</translation>
     </message>
@@ -5483,44 +5611,168 @@ Einzelheiten: %2</translation>
         <translation>Drücken Sie die Nummer des Objekts: 1 oder 2.</translation>
     </message>
     <message>
-        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
-        <translation>Die Leertaste pausiert. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; ein zweites Esc fragt, ob Sie die Sitzung beenden möchten.</translation>
-    </message>
-    <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Drücken Sie + und −, bis Ihnen beide gleich vorkommen, dann Enter.</translation>
-    </message>
-    <message>
-        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
-        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Anheben drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
     </message>
     <message>
         <source>Press 1, 2 or 3 from least to most, with = before one that equals the last, then Enter. Backspace takes the last one back.</source>
         <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, mit = vor einem, das dem letzten gleicht, dann Enter. Die Rücktaste nimmt die letzte Angabe zurück.</translation>
     </message>
     <message>
-        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
-        <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
-    </message>
-    <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up.</source>
-        <translation>Senken Sie das Instrument in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Ziehen drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle.</source>
-        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff.</translation>
-    </message>
-    <message>
-        <source>To let go, set the object down and press it lightly onto the table, then raise the tool.</source>
-        <translation>Zum Loslassen setzen Sie das Objekt ab und drücken es leicht auf den Tisch, dann heben Sie das Instrument.</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool below the dashed line, then raise it.</source>
-        <translation>Zum Loslassen senken Sie das Instrument unter die gestrichelte Linie, dann heben Sie es.</translation>
-    </message>
-    <message>
         <source>To let go, lower the tool %1 mm below the ring, then raise it.</source>
         <translation>Zum Loslassen senken Sie das Instrument %1 mm unter den Ring, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>To raise the tool, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Um das Instrument zu heben, drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Raise the handle to come off.</source>
+        <translation>Heben Sie den Griff, um das Objekt zu verlassen.</translation>
+    </message>
+    <message>
+        <source>Take hold and lift</source>
+        <translation>Greifen und heben</translation>
+    </message>
+    <message>
+        <source>To lift, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Zum Heben drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>To lift, raise the handle.</source>
+        <translation>Zum Heben heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Put down and let go</source>
+        <translation>Absetzen und loslassen</translation>
+    </message>
+    <message>
+        <source>To pull, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Zum Ziehen drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>To pull, raise the handle.</source>
+        <translation>Zum Ziehen heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>Press lightly and stroke</source>
+        <translation>Leicht drücken und streichen</translation>
+    </message>
+    <message>
+        <source>Then move the mouse, or use the arrow keys.</source>
+        <translation>Bewegen Sie dann die Maus oder nehmen Sie die Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Then move it to and fro.</source>
+        <translation>Bewegen Sie sie dann hin und her.</translation>
+    </message>
+    <message>
+        <source>Move the tool over a ring and lower it into the ring: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Bewegen Sie das Instrument über einen Ring und senken Sie es in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab.</translation>
+    </message>
+    <message>
+        <source>Move the tip over a ring and lower it into the ring.</source>
+        <translation>Bewegen Sie die Spitze über einen Ring und senken Sie sie in den Ring.</translation>
+    </message>
+    <message>
+        <source>Move the tool over an object and lower it onto the object: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Bewegen Sie das Instrument über ein Objekt und senken Sie es auf das Objekt: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab.</translation>
+    </message>
+    <message>
+        <source>Move the tip over an object and push it gently into the object.</source>
+        <translation>Bewegen Sie die Spitze über ein Objekt und drücken Sie sie sanft in das Objekt.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool below the dashed line (roll the wheel towards you, or hold Page Down), then raise it.</source>
+        <translation>Zum Loslassen senken Sie das Instrument unter die gestrichelte Linie (Rad zu sich hin drehen oder Bild ab halten), dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tip below the dashed line, then raise it.</source>
+        <translation>Zum Loslassen senken Sie die Spitze unter die gestrichelte Linie, dann heben Sie sie.</translation>
+    </message>
+    <message>
+        <source>Lift it off the table: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Heben Sie es vom Tisch: Drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Lift it off the table.</source>
+        <translation>Heben Sie es vom Tisch.</translation>
+    </message>
+    <message>
+        <source>You are holding the object.</source>
+        <translation>Sie halten das Objekt.</translation>
+    </message>
+    <message>
+        <source>You are holding object %1.</source>
+        <translation>Sie halten Objekt %1.</translation>
+    </message>
+    <message>
+        <source>To put it down, lower it to the table: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Zum Absetzen senken Sie es auf den Tisch: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab.</translation>
+    </message>
+    <message>
+        <source>To put it down, lower it to the table.</source>
+        <translation>Zum Absetzen senken Sie es auf den Tisch.</translation>
+    </message>
+    <message>
+        <source>You are lifting the object.</source>
+        <translation>Sie heben das Objekt.</translation>
+    </message>
+    <message>
+        <source>You are lifting object %1.</source>
+        <translation>Sie heben Objekt %1.</translation>
+    </message>
+    <message>
+        <source>The object stands on the table, and you still hold it.</source>
+        <translation>Das Objekt steht auf dem Tisch, und Sie halten es noch.</translation>
+    </message>
+    <message>
+        <source>Object %1 stands on the table, and you still hold it.</source>
+        <translation>Objekt %1 steht auf dem Tisch, und Sie halten es noch.</translation>
+    </message>
+    <message>
+        <source>Now raise the tool: the object stays on the table.</source>
+        <translation>Heben Sie jetzt das Instrument: Das Objekt bleibt auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>Now raise the tool: object %1 stays on the table.</source>
+        <translation>Heben Sie jetzt das Instrument: Objekt %1 bleibt auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>Without a wheel, hold the right mouse button or Shift and move the mouse forward to raise the tool, back to lower it. %1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
+        <translation>Ohne Rad halten Sie die rechte Maustaste oder die Umschalttaste und bewegen die Maus nach vorn, um das Instrument zu heben, und zurück, um es zu senken. %1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
+    </message>
+    <message>
+        <source>Lift the tool off.</source>
+        <translation>Heben Sie das Instrument ab.</translation>
+    </message>
+    <message>
+        <source>Raise the tool.</source>
+        <translation>Heben Sie das Instrument.</translation>
+    </message>
+    <message>
+        <source>Raise the handle.</source>
+        <translation>Heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>To put the object down, roll the wheel towards you, or hold Page Down, until the object stands on the table, and at least %1 mm further. Then raise the tool: the object stays there.</source>
+        <translation>Zum Absetzen drehen Sie das Rad zu sich hin oder halten Sie Bild ab, bis das Objekt auf dem Tisch steht, und noch mindestens %1 mm weiter. Heben Sie dann das Instrument: Das Objekt bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>To put the object down, lower it onto the table and press it on with at least %1 N. Then raise the handle: the object stays there.</source>
+        <translation>Zum Absetzen senken Sie das Objekt auf den Tisch und drücken Sie es mit mindestens %1 N an. Heben Sie dann den Griff: Das Objekt bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool at least %1 mm further, then raise it.</source>
+        <translation>Zum Loslassen senken Sie das Instrument mindestens %1 mm weiter, dann heben Sie es.</translation>
+    </message>
+    <message>
+        <source>To let go, press it onto the table with at least %1 N, then raise the handle.</source>
+        <translation>Zum Loslassen drücken Sie es mit mindestens %1 N auf den Tisch, dann heben Sie den Griff.</translation>
     </message>
 </context>
 <context>
@@ -5751,7 +6003,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Nobody has done this condition yet.</source>
-        <translation>Diese Bedingung hat noch niemand gemacht.</translation>
+        <translation>Diese Bedingung hat noch niemand durchlaufen.</translation>
     </message>
     <message>
         <source>Weber fraction of the group</source>
@@ -6088,10 +6340,6 @@ Einzelheiten: %2</translation>
         </translation>
     </message>
     <message>
-        <source>The group contains only simulated participants.</source>
-        <translation>Die Gruppe besteht nur aus simulierten Personen.</translation>
-    </message>
-    <message>
         <source>%1 (p &lt; %2)</source>
         <translation>%1 (p &lt; %2)</translation>
     </message>
@@ -6335,13 +6583,6 @@ Einzelheiten: %2</translation>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Eine Person ist keine Gruppe: Es gibt kein Intervall.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
-        <translation>
-            <numerusform>%n Person der Gruppe wurde ohne Darstellung simuliert: Sie kannte die Werte und fühlte nichts.</numerusform>
-            <numerusform>%n Personen der Gruppe wurden ohne Darstellung simuliert: Sie kannten die Werte und fühlten nichts.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The sphere has no radius above zero.</source>
         <translation>Die Kugel hat keinen Radius über null.</translation>
@@ -6447,13 +6688,6 @@ Einzelheiten: %2</translation>
             <numerusform>%n Teilnehmende zählen nicht zur Gruppe: Ihnen wurden Objekte gezeigt, nicht fühlbar gemacht.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
-        <translation>
-            <numerusform>Zur Gruppe gehört %n teilnehmende Person, der Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
-            <numerusform>Zur Gruppe gehören %n Teilnehmende, denen Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Ratio</source>
         <translation>Verhältnis</translation>
@@ -6491,8 +6725,8 @@ Einzelheiten: %2</translation>
         <translation>Jede Antwort hat bestimmt, was als Nächstes kam; die Durchgänge einer Person sind deshalb nicht unabhängig: Sie haben kein Intervall und kein p.</translation>
     </message>
     <message>
-        <source>W of the group, 95 % over its participants: %1</source>
-        <translation>W der Gruppe, 95 % über ihre Teilnehmenden: %1</translation>
+        <source>95 % interval for W of the group, from its participants: %1</source>
+        <translation>95-%-Intervall für W der Gruppe, berechnet über ihre Teilnehmenden: %1</translation>
     </message>
     <message>
         <source>How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.</source>
@@ -6517,10 +6751,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>There is no group value: nobody takes part.</source>
         <translation>Es gibt keinen Gruppenwert: Niemand nimmt teil.</translation>
-    </message>
-    <message>
-        <source>There is no group value yet: nobody has given a usable one.</source>
-        <translation>Es gibt noch keinen Gruppenwert: Niemand hat einen brauchbaren Wert geliefert.</translation>
     </message>
     <message>
         <source>The group value includes everybody who takes part.</source>
@@ -6607,8 +6837,8 @@ Einzelheiten: %2</translation>
         <translation>Bisher sind %1 von %2 geplanten Personen aufgenommen. Nehmen Sie die anderen auf der Seite der Studie auf.</translation>
     </message>
     <message>
-        <source>%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.</source>
-        <translation>%1: mit einem nicht beendeten Lauf im Gruppenwert, der sich also noch ändern kann. Setzen Sie den Lauf unter „Durchführen“ fort.</translation>
+        <source>%1: the group value includes a run that is not finished, so it may still change. Resume the run under Run.</source>
+        <translation>%1: Der Gruppenwert enthält einen nicht beendeten Lauf und kann sich deshalb noch ändern. Setzen Sie den Lauf unter „Durchführen“ fort.</translation>
     </message>
     <message>
         <source>no: %1</source>
@@ -6659,8 +6889,8 @@ Einzelheiten: %2</translation>
         <translation>„%1“ und „%2“ haben ein Verhältnis, aber kein Intervall und kein p: Jede der beiden Gruppen braucht mindestens zwei Personen, und diese haben %3 und %4.</translation>
     </message>
     <message>
-        <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
-        <translation>%1 ist nicht in diesem Vergleich: Er ist einer von zwei Gruppen, und %1 hat sowohl in „%2“ als auch in „%3“ einen Wert.</translation>
+        <source>%1 is not in this comparison: it compares two separate groups, and %1 has a value in both “%2” and “%3”.</source>
+        <translation>%1 ist nicht in diesem Vergleich: Verglichen werden zwei getrennte Gruppen, und %1 hat sowohl in „%2“ als auch in „%3“ einen Wert.</translation>
     </message>
     <message>
         <source>%1 in both</source>
@@ -6671,12 +6901,12 @@ Einzelheiten: %2</translation>
         <translation>zwei Gruppen: %1 und %2</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who have a value in both conditions if there are at least two, otherwise of two groups, each with a value in only one of the two. Adjusted: for this number of comparisons (Holm).</source>
-        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; aus den Personen, die in beiden Bedingungen einen Wert haben, wenn es mindestens zwei sind, sonst aus zwei Gruppen, jede mit einem Wert in nur einer der beiden. Adjustiert: für diese Zahl von Vergleichen (Holm).</translation>
+        <source>Ratio of the Weber fractions; 1 means that both are alike. It comes from the people who have a value in both conditions if there are at least two of them, otherwise from two groups, each with a value in only one condition. Adjusted: for this number of comparisons (Holm).</source>
+        <translation>Verhältnis der Weber-Brüche; 1 bedeutet, dass beide gleich sind. Es stammt von den Personen, die in beiden Bedingungen einen Wert haben, wenn es mindestens zwei sind, sonst aus zwei Gruppen, jede mit einem Wert in nur einer Bedingung. Adjustiert: für diese Zahl von Vergleichen (Holm).</translation>
     </message>
     <message>
-        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
-        <translation>Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Dieses p wird nur angegeben, wo dieselben Personen in beiden geantwortet haben und die Antworten nicht die Unterschiede bestimmten: Nach adaptiven Läufen ist die angepasste Steigung verzerrt, und p wäre zu klein.</translation>
+        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and the differences did not depend on the answers: after adaptive runs a fitted slope is biased, and p would be too small.</source>
+        <translation>Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Dieses p wird nur angegeben, wo dieselben Personen in beiden geantwortet haben und die Unterschiede nicht von den Antworten abhingen: Nach adaptiven Läufen ist die angepasste Steigung verzerrt, und p wäre zu klein.</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
@@ -6738,7 +6968,7 @@ Einzelheiten: %2</translation>
         <translation>In beiden Bedingungen verglichen: %1.</translation>
     </message>
     <message>
-        <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
+        <source>The values show no difference between “%1” and “%2” (ratio %3, 95 % interval: %4; %5).</source>
         <translation>Zwischen „%1“ und „%2“ zeigt sich kein Unterschied (Verhältnis %3, 95-%-Intervall: %4; %5).</translation>
     </message>
     <message>
@@ -6760,10 +6990,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1: the answers do not rule out a threshold far below the smallest difference presented, nor one far above the largest.</source>
         <translation>%1: Die Antworten schließen weder eine Schwelle weit unter dem kleinsten dargebotenen Unterschied noch eine weit über dem größten aus.</translation>
-    </message>
-    <message>
-        <source>There are too few answers to measure the threshold: copy the study and plan more trials.</source>
-        <translation>Um die Schwelle zu messen, sind es zu wenige Antworten: Kopieren Sie die Studie und planen Sie mehr Durchgänge.</translation>
     </message>
     <message>
         <source>The study&apos;s table has larger differences, which were not presented. To measure the threshold, copy the study and plan more trials or a larger first difference.</source>
@@ -6824,6 +7050,80 @@ Einzelheiten: %2</translation>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
         <translation>Es sind zu wenige Antworten, um zu sagen, ob sie besser als geraten sind. Mehr Durchgänge würden es zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 participants (%3)</source>
+        <translation>%1 von %2 Teilnehmenden (%3)</translation>
+    </message>
+    <message>
+        <source>Test: paired t test on the log Weber fractions (df = %1; random effects with the Hartung–Knapp correction, which weights participants by the precision of their values).</source>
+        <translation>Test: gepaarter t-Test der logarithmierten Weber-Brüche (df = %1; Zufallseffekte mit Hartung-Knapp-Korrektur, die Teilnehmende nach der Genauigkeit ihrer Werte gewichtet).</translation>
+    </message>
+    <message>
+        <source>Test: Welch&apos;s t test on the log Weber fractions of two independent groups (random effects with the Hartung–Knapp correction in each).</source>
+        <translation>Test: Welch-t-Test der logarithmierten Weber-Brüche zweier unabhängiger Gruppen (Zufallseffekte mit Hartung-Knapp-Korrektur in jeder).</translation>
+    </message>
+    <message>
+        <source>“%1”: Weber fraction %2, of one participant.</source>
+        <translation>„%1“: Weber-Bruch %2, von einer Person.</translation>
+    </message>
+    <message>
+        <source>“%1”: Weber fraction %2 (95 % interval: %3), of %4 participants.</source>
+        <translation>„%1“: Weber-Bruch %2 (95-%-Intervall: %3), von %4 Teilnehmenden.</translation>
+    </message>
+    <message>
+        <source>There is no group value yet: no participant&apos;s run is included so far.</source>
+        <translation>Es gibt noch keinen Gruppenwert: Bisher geht von niemandem ein Lauf ein.</translation>
+    </message>
+    <message>
+        <source>Fewer than 20 answers rarely measure a threshold.</source>
+        <translation>Weniger als 20 Antworten messen selten eine Schwelle.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to measure the threshold.</source>
+        <translation>Um die Schwelle zu messen, sind es zu wenige Antworten.</translation>
+    </message>
+    <message>
+        <source>Copy the study and plan more trials: its page Expected precision shows with how many most runs give a value.</source>
+        <translation>Kopieren Sie die Studie und planen Sie mehr Durchgänge: Ihre Seite „Erwartete Genauigkeit“ zeigt, mit wie vielen die meisten Läufe einen Wert ergeben.</translation>
+    </message>
+    <message>
+        <source>How many participants are needed cannot be told from so few: the page Expected precision of the study tells it for the planned trials.</source>
+        <translation>Wie viele Teilnehmende nötig sind, lässt sich aus so wenigen nicht sagen: Die Seite „Erwartete Genauigkeit“ der Studie sagt es für die geplanten Durchgänge.</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>If others scatter as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <translation>Streuen andere wie diese, so braucht es %1 Personen in beiden Bedingungen, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
+    </message>
+    <message>
+        <source>If others scatter as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <translation>Streuen andere wie diese, so braucht es %1 Personen in jeder Gruppe, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
+    </message>
+    <message>
+        <source>All participants here are simulated.</source>
+        <translation>Alle Teilnehmenden sind hier simuliert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) were simulated without rendering: the observers knew the values and felt nothing.</source>
+        <translation>
+            <numerusform>%n Person wurde ohne Darstellung simuliert: Sie kannte die Werte und fühlte nichts.</numerusform>
+            <numerusform>%n Personen wurden ohne Darstellung simuliert: Sie kannten die Werte und fühlten nichts.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Objects were shown to %n participant(s), not felt. Such runs are included on purpose: each counts in the group if its answers give a value.</source>
+        <translation>
+            <numerusform>%n Person wurden die Objekte gezeigt, nicht spürbar gemacht. Solche Läufe sind absichtlich einbezogen: Jeder zählt in der Gruppe, wenn seine Antworten einen Wert ergeben.</numerusform>
+            <numerusform>%n Personen wurden die Objekte gezeigt, nicht spürbar gemacht. Solche Läufe sind absichtlich einbezogen: Jeder zählt in der Gruppe, wenn seine Antworten einen Wert ergeben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7159,6 +7459,126 @@ Einzelheiten: %2</translation>
         <source>Interrupted</source>
         <translation>Unterbrochen</translation>
     </message>
+    <message>
+        <source>softness, hardness, compliance, elasticity, spring</source>
+        <translation>Weichheit, Härte, Nachgiebigkeit, Elastizität, Feder</translation>
+    </message>
+    <message>
+        <source>weight, heaviness, lifting</source>
+        <translation>Gewicht, Schwere, Heben</translation>
+    </message>
+    <message>
+        <source>recovery, relaxation, softness</source>
+        <translation>Rückstellung, Relaxation, Weichheit</translation>
+    </message>
+    <message>
+        <source>texture, smoothness</source>
+        <translation>Textur, Glätte</translation>
+    </message>
+    <message>
+        <source>slipperiness, stickiness, sliding</source>
+        <translation>Glätte, Klebrigkeit, Gleiten</translation>
+    </message>
+    <message>
+        <source>damping, resistance</source>
+        <translation>Dämpfung, Widerstand</translation>
+    </message>
+    <message>
+        <source>localisation, position, highest point, shape</source>
+        <translation>Lokalisation, Position, höchster Punkt, Form</translation>
+    </message>
+    <message>
+        <source>ordering, sorting</source>
+        <translation>Ordnen, Sortieren</translation>
+    </message>
+    <message>
+        <source>2AFC, 2IFC, two-alternative forced choice, comparison, discrimination</source>
+        <translation>2AFC, 2IFC, Zweifachwahl, Zwangswahl, Vergleich, Unterscheidung</translation>
+    </message>
+    <message>
+        <source>3AFC, three-alternative forced choice, discrimination</source>
+        <translation>3AFC, Dreifachwahl, Zwangswahl, Unterscheidung</translation>
+    </message>
+    <message>
+        <source>oddity, triangle test, discrimination</source>
+        <translation>Oddity, Dreieckstest, Unterscheidung</translation>
+    </message>
+    <message>
+        <source>same-different, AX, discrimination</source>
+        <translation>Gleich-verschieden, AX, Unterscheidung</translation>
+    </message>
+    <message>
+        <source>yes-no, single stimulus</source>
+        <translation>Ja-Nein, Einzelreiz</translation>
+    </message>
+    <message>
+        <source>matching, point of subjective equality, PSE</source>
+        <translation>Abgleich, Punkt subjektiver Gleichheit, PSE</translation>
+    </message>
+    <message>
+        <source>scaling, rating, power law</source>
+        <translation>Skalierung, Größenschätzung, Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>1 condition, one condition</source>
+        <translation>1 Bedingung, eine Bedingung</translation>
+    </message>
+    <message>
+        <source>two conditions, comparison of conditions</source>
+        <translation>zwei Bedingungen, Vergleich von Bedingungen</translation>
+    </message>
+    <message>
+        <source>three conditions, comparison of conditions</source>
+        <translation>drei Bedingungen, Vergleich von Bedingungen</translation>
+    </message>
+    <message>
+        <source>%1 conditions</source>
+        <translation>%1 Bedingungen</translation>
+    </message>
+    <message>
+        <source>1 attribute, one attribute</source>
+        <translation>1 Merkmal, ein Merkmal</translation>
+    </message>
+    <message>
+        <source>two attributes, comparison of attributes</source>
+        <translation>zwei Merkmale, Vergleich von Merkmalen</translation>
+    </message>
+    <message>
+        <source>three attributes, comparison of attributes</source>
+        <translation>drei Merkmale, Vergleich von Merkmalen</translation>
+    </message>
+    <message>
+        <source>%1 attributes</source>
+        <translation>%1 Merkmale</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is unlike the others</source>
+        <translation>%1 ist anders als die anderen</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>both are the same</source>
+        <translation>beide sind gleich</translation>
+    </message>
 </context>
 <context>
     <name>TextClaims</name>
@@ -7235,19 +7655,19 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, Ziehen mit der rechten Taste oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, Ziehen mit der rechten Taste oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, Ziehen mit der rechten Taste oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, Ziehen mit der rechten Taste oder Bild ab und Bild auf. Branchen schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -7263,7 +7683,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Drücken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Fund markieren: Klick oder Enter.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Drücken und heben: Mausrad, Ziehen mit der rechten Taste oder Bild ab und Bild auf. Fund markieren: Klick oder Enter.</translation>
     </message>
     <message>
         <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
@@ -7477,7 +7897,7 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
     <message>
         <source>The heaviest object weighs %1 N. From %2 N on, which is 80 % of the largest force of a trial, participants are told to pull less hard, so merely holding this object would give it away. Allow at least %3 N, or choose lighter objects.</source>
-        <translation>Das schwerste Objekt wiegt %1 N. Ab %2 N, das sind 80 % der größten Kraft eines Durchgangs, lesen die Teilnehmenden, dass sie weniger stark ziehen sollen; schon es zu halten würde dieses Objekt verraten. Lassen Sie mindestens %3 N zu, oder wählen Sie leichtere Objekte.</translation>
+        <translation>Das schwerste Objekt wiegt %1 N. Ab %2 N, das sind 80 % der größten Kraft eines Durchgangs, lesen die Teilnehmenden, dass sie weniger stark ziehen sollen. Schon daran wäre dieses Objekt zu erkennen. Lassen Sie mindestens %3 N zu, oder wählen Sie leichtere Objekte.</translation>
     </message>
 </context>
 <context>
@@ -7591,9 +8011,9 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Wiederherstellungscode erstellen …</translation>
     </message>
     <message>
-        <source>It could not be read whether you have one.
+        <source>The program could not read whether you have a recovery code.
 %1</source>
-        <translation>Es konnte nicht gelesen werden, ob Sie einen haben.
+        <translation>Das Programm konnte nicht lesen, ob Sie einen Wiederherstellungscode haben.
 %1</translation>
     </message>
     <message>
@@ -7984,6 +8404,10 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Break time</source>
         <translation>Pausendauer</translation>
+    </message>
+    <message>
+        <source>Enter or Space: read on</source>
+        <translation>Enter oder Leertaste: weiterlesen</translation>
     </message>
 </context>
 <context>
@@ -8488,6 +8912,10 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <source>Remove the last procedure</source>
         <translation>Letztes Verfahren entfernen</translation>
     </message>
+    <message>
+        <source>Together they have at most %1 trials.</source>
+        <translation>Zusammen haben sie höchstens %1 Durchgänge.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ConsentDialog</name>
@@ -8528,6 +8956,10 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>The time is recorded, and a checksum (SHA-256) that shows which text you have read. You may withdraw at any time.</source>
         <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können Ihre Teilnahme jederzeit beenden.</translation>
+    </message>
+    <message>
+        <source>Tick the box first, once the participant agrees.</source>
+        <translation>Setzen Sie zuerst das Häkchen, sobald die Person zustimmt.</translation>
     </message>
 </context>
 <context>
@@ -8697,7 +9129,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     </message>
     <message>
         <source>Watch an expert</source>
-        <translation>Experten zusehen</translation>
+        <translation>Einem Experten zusehen</translation>
     </message>
     <message>
         <source>Worst moment: %1</source>
@@ -8776,8 +9208,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Am %1 von %2 für ungültig erklärt: %3</translation>
     </message>
     <message>
-        <source>Counted again on %1 by %2: %3</source>
-        <translation>Wieder gezählt seit %1, entschieden von %2: %3</translation>
+        <source>Set to count again on %1 by %2: %3</source>
+        <translation>Zählt wieder seit %1, entschieden von %2: %3</translation>
     </message>
     <message>
         <source>Start a session that counts</source>
@@ -8915,8 +9347,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Ändern Sie sie einzeln, oder fügen Sie sie aus einer Tabelle ein; Zahlen dürfen Dezimalpunkte oder -kommas haben.</translation>
     </message>
     <message>
-        <source>%1 % less than the reference is less than nothing.</source>
-        <translation>%1 % weniger als die Referenz ist weniger als nichts.</translation>
+        <source>%1 % less than the reference would be below zero.</source>
+        <translation>%1 % weniger als die Referenz läge unter null.</translation>
     </message>
     <message>
         <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
@@ -9024,6 +9456,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
         <translation>Niemand hat ein Konto mit dem Anmeldenamen „%1“. Es wurde niemand aufgenommen. Korrigieren Sie den Namen, oder lassen Sie das Feld leer.</translation>
     </message>
+    <message>
+        <source>Enter an identity first, or a login name.</source>
+        <translation>Geben Sie zuerst eine Identität oder einen Anmeldenamen ein.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -9060,15 +9496,15 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1 kann jetzt nicht gelöscht werden. Sie können sich nicht selbst löschen, und es darf keine Sitzung laufen.</translation>
     </message>
     <message>
-        <source>This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is erased with &quot;Erase a participant&quot;.</source>
-        <translation>Hier werden ein Konto gelöscht und wer die Person in den Studien war, deren Schlüssel das Konto nennt. Wer nur unter einem Code bekannt ist, wird mit „Teilnehmer/in löschen“ gelöscht.</translation>
+        <source>This erases an account, and the identity of the person in studies whose key table lists the account. A participant who is known only by a code is erased with &quot;Erase a participant&quot;.</source>
+        <translation>Hier werden ein Konto und die Identität der Person in den Studien gelöscht, deren Schlüsseltabelle das Konto nennt. Wer nur unter einem Code bekannt ist, wird mit „Teilnehmer/in löschen“ gelöscht.</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::EraseParticipantDialog</name>
     <message>
-        <source>Erase a participant of a study</source>
-        <translation>Teilnehmer/in einer Studie löschen</translation>
+        <source>Erase a study participant</source>
+        <translation>Studienteilnehmer/in löschen</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -9094,11 +9530,11 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
-        <translation>Überschrieben werden: wer die Person war, die Antworten auf Fragebögen, Kommentare zu ihren Sitzungen und, wie sie es wünschte, die Aufzeichnungen. Unter dem Code bleiben Läufe und Durchgänge erhalten.</translation>
+        <translation>Überschrieben werden: die Identität der Person, ihre Antworten auf Fragebögen, Kommentare zu ihren Sitzungen und, wie von ihr gewünscht, die Aufzeichnungen. Unter dem Code bleiben Läufe und Durchgänge erhalten.</translation>
     </message>
     <message>
         <source>Overwritten: who the participant was, the answers to questionnaires and comments on their sessions. Kept under the code: runs, trials and recordings; the participant did not ask for the recordings to be erased.</source>
-        <translation>Überschrieben werden: wer die Person war, die Antworten auf Fragebögen und Kommentare zu ihren Sitzungen. Unter dem Code bleiben Läufe, Durchgänge und Aufzeichnungen erhalten; die Löschung der Aufzeichnungen wurde nicht gewünscht.</translation>
+        <translation>Überschrieben werden: die Identität der Person, ihre Antworten auf Fragebögen und Kommentare zu ihren Sitzungen. Unter dem Code bleiben Läufe, Durchgänge und Aufzeichnungen erhalten; die Löschung der Aufzeichnungen wurde nicht gewünscht.</translation>
     </message>
     <message>
         <source>%1 was erased. Runs and trials are kept under the code.</source>
@@ -9109,8 +9545,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1 kann jetzt nicht gelöscht werden: Es darf keine Sitzung dieser Person laufen.</translation>
     </message>
     <message>
-        <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
-        <translation>Hier wird gelöscht, wer in einer Studie hinter dem Code steht; ein Konto derselben Person bleibt bestehen. Um ein Konto zu löschen, wählen Sie die Person in der Liste und drücken Sie „Löschen“.</translation>
+        <source>This erases the identity behind the code in one study; if the same person has an account, it stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
+        <translation>Hier wird die Identität gelöscht, die in einer Studie hinter dem Code steht; hat dieselbe Person ein Konto, bleibt es bestehen. Um ein Konto zu löschen, wählen Sie die Person in der Liste und drücken Sie „Löschen“.</translation>
     </message>
     <message>
         <source>No participant who has withdrawn is waiting to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
@@ -9388,7 +9824,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
     <message>
         <source>Felt value off by %1, late ticks %2, device at its limit %3.</source>
-        <translation>Gefühlter Wert weicht um %1 ab, verspätete Takte %2, Gerät an der Grenze %3.</translation>
+        <translation>Abweichung des gefühlten Werts: %1; verspätete Takte: %2; Gerät an der Grenze: %3.</translation>
     </message>
     <message>
         <source>Force error %1 N.</source>
@@ -9721,10 +10157,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Zahl der Teilnehmenden</translation>
     </message>
     <message>
-        <source>Aim</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
         <source>Source of the design</source>
         <translation>Quelle des Entwurfs</translation>
     </message>
@@ -9739,10 +10171,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     <message>
         <source>For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference.</source>
         <translation>Zum Beispiel: ob Schläuche mit 60 N/m und 120 N/m denselben Weber-Bruch haben. Wir erwarten keinen Unterschied.</translation>
-    </message>
-    <message>
-        <source>Ethics and consent</source>
-        <translation>Ethik und Einwilligung</translation>
     </message>
     <message>
         <source>Ethics approval</source>
@@ -9777,8 +10205,16 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Der Name der Studie in Listen, Berichten und Exporten.</translation>
     </message>
     <message>
-        <source>How many people are to take part; Preview shows which difference this number can detect.</source>
-        <translation>Wie viele Personen teilnehmen sollen; die Vorschau zeigt, welcher Unterschied sich mit dieser Zahl nachweisen lässt.</translation>
+        <source>Aim and ethics</source>
+        <translation>Ziel und Ethik</translation>
+    </message>
+    <message>
+        <source>How many people are to take part; the page Expected precision shows which difference this number can detect.</source>
+        <translation>Wie viele Personen teilnehmen sollen; die Seite „Erwartete Genauigkeit“ zeigt, welchen Unterschied diese Anzahl nachweisen kann.</translation>
+    </message>
+    <message>
+        <source>Consent and source</source>
+        <translation>Einwilligung und Quelle</translation>
     </message>
 </context>
 <context>
@@ -10197,8 +10633,8 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Durchführen</translation>
     </message>
     <message>
-        <source>Guide a participant through a study, by code and in their own order. Interrupted runs continue where they stopped.</source>
-        <translation>Eine Person anhand ihres Codes und in ihrer eigenen Reihenfolge durch eine Studie führen. Unterbrochene Läufe gehen dort weiter, wo sie aufgehört haben.</translation>
+        <source>Guide a participant through a study by code, in the order set for them. Interrupted runs continue where they stopped.</source>
+        <translation>Eine Person anhand ihres Codes und in der für sie festgelegten Reihenfolge durch eine Studie führen. Unterbrochene Läufe gehen dort weiter, wo sie aufgehört haben.</translation>
     </message>
     <message>
         <source>Run a study</source>
@@ -10998,8 +11434,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Geben Sie der Studie eine Kennung.</translation>
     </message>
     <message>
-        <source>Use lower-case letters, digits and _ only, a letter first.</source>
-        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden, zuerst ein Buchstabe.</translation>
+        <source>Use only lower-case letters, digits and _, and begin with a letter.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden und mit einem Buchstaben beginnen.</translation>
     </message>
     <message>
         <source>Another study has this key. Choose another.</source>
@@ -11012,10 +11448,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     <message>
         <source>Find a template</source>
         <translation>Vorlage suchen</translation>
-    </message>
-    <message>
-        <source>Attribute, task, procedure or author</source>
-        <translation>Eigenschaft, Aufgabe, Verfahren oder Autor</translation>
     </message>
     <message>
         <source>No template matches “%1”. Try fewer or other words.</source>
@@ -11032,6 +11464,22 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
     <message>
         <source>One condition, stiffness. %1</source>
         <translation>Eine Bedingung, Steifigkeit. %1</translation>
+    </message>
+    <message>
+        <source>For example: 2AFC, weight, two conditions, Watson</source>
+        <translation>Zum Beispiel: 2AFC, Gewicht, zwei Bedingungen, Watson</translation>
+    </message>
+    <message>
+        <source>Conditions: %1</source>
+        <translation>Bedingungen: %1</translation>
+    </message>
+    <message>
+        <source>The templates are being read.</source>
+        <translation>Die Vorlagen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Choose what to begin with first.</source>
+        <translation>Wählen Sie zuerst, womit Sie beginnen.</translation>
     </message>
 </context>
 <context>
@@ -11483,7 +11931,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Code %1: what researchers see in the place of the name.</source>
+        <source>Code %1: what researchers see in place of the name.</source>
         <translation>Code %1: Das sehen Forschende anstelle des Namens.</translation>
     </message>
     <message>
@@ -11527,8 +11975,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Bis %1: %2</translation>
     </message>
     <message>
-        <source>Erase a participant of a study</source>
-        <translation>Teilnehmer/in einer Studie löschen</translation>
+        <source>Erase a study participant</source>
+        <translation>Studienteilnehmer/in löschen</translation>
     </message>
     <message>
         <source>Everybody who has an account on this site.
@@ -11539,7 +11987,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
 
 &quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
 
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study and need not have an account.</source>
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study, even if they have no account.</source>
         <translation>Alle, die an diesem Standort ein Konto haben.
 
 Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
@@ -11548,7 +11996,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
 
 „Liste importieren“ liest eine CSV-Datei, wie eine Tabellenkalkulation sie speichert, mit Überschriften wie Anmeldename, Vollständiger Name und Rolle („Vorlage speichern“ erzeugt eine), und zeigt zuerst, was geschehen wird: Entweder wird alles in der Datei ausgeführt oder nichts. Für neue Personen werden Passwörter erzeugt, die sich als Zettel drucken lassen.
 
-„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig. „Teilnehmer/in löschen“ tut dasselbe für jemanden, der die Teilnahme an einer Studie zurückgezogen hat und kein Konto haben muss.</translation>
+„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig. „Teilnehmer/in löschen“ tut dasselbe für jemanden, der die Teilnahme an einer Studie zurückgezogen hat, auch ohne Konto.</translation>
     </message>
     <message>
         <source>Erase a participant …</source>
@@ -11567,8 +12015,8 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Liste importieren …</translation>
     </message>
     <message>
-        <source>Permanently removes the identity of somebody who took part in a study and need not have an account here.</source>
-        <translation>Entfernt endgültig die Identität einer Person, die an einer Studie teilgenommen hat und hier kein Konto haben muss.</translation>
+        <source>Permanently removes the identity of somebody who took part in a study, even if they have no account here.</source>
+        <translation>Entfernt endgültig die Identität einer Person, die an einer Studie teilgenommen hat, auch wenn sie hier kein Konto hat.</translation>
     </message>
     <message>
         <source>Permanently removes the identity of the person who is chosen in the list.</source>
@@ -11685,12 +12133,24 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Der Probelauf konnte nicht beginnen.
 %1</translation>
     </message>
+    <message>
+        <source>Tick the box first: whoever tries it must agree.</source>
+        <translation>Setzen Sie zuerst das Häkchen: Wer die Studie ausprobiert, muss zustimmen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlacesView</name>
     <message>
         <source>Objects to explore</source>
         <translation>Objekte zum Erkunden</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Limit: %1 N</source>
+        <translation>Grenze: %1 N</translation>
     </message>
 </context>
 <context>
@@ -12015,7 +12475,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>This session ended before its first sample. It is kept and listed.</source>
-        <translation>Diese Sitzung endete vor ihrem ersten Messpunkt. Sie bleibt erhalten und in der Liste.</translation>
+        <translation>Diese Sitzung endete vor ihrem ersten Messpunkt. Sie bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>The scene at this moment</source>
@@ -12162,11 +12622,11 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Sitzung %1 ist für ungültig erklärt. Ihre Aufzeichnung bleibt erhalten; sie zählt nicht mehr.</translation>
     </message>
     <message>
-        <source>The comment is saved. %1 is told of it on Home.</source>
+        <source>The comment is saved. %1 will see it on Home.</source>
         <translation>Der Kommentar ist gespeichert. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
     <message>
-        <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
+        <source>The comment is saved, and the session counts as reviewed. %1 will see it on Home.</source>
         <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als begutachtet. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
     <message>
@@ -12182,7 +12642,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Wieder zählen …</translation>
     </message>
     <message>
-        <source>Session %1 counts again. That it was void stays on record.</source>
+        <source>Session %1 counts again. Its history still shows that it was void.</source>
         <translation>Sitzung %1 zählt wieder. Dass sie ungültig war, bleibt vermerkt.</translation>
     </message>
     <message>
@@ -12197,10 +12657,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message>
-        <source>Simulated observers run through the study without haptic rendering. Their true values are known, so bias and precision can be estimated before the first participant.</source>
-        <translation>Simulierte Beobachter durchlaufen die Studie ohne haptische Wiedergabe. Ihre wahren Werte sind bekannt; so lassen sich Verzerrung und Genauigkeit vor der ersten Person abschätzen.</translation>
-    </message>
-    <message>
         <source>Their Weber fraction</source>
         <translation>Ihr Weber-Bruch</translation>
     </message>
@@ -12209,20 +12665,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Lapse-Rate</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Progress of the preview</source>
-        <translation>Fortschritt der Vorschau</translation>
-    </message>
-    <message>
-        <source>The preview failed. %1</source>
-        <translation>Die Vorschau ist fehlgeschlagen. %1</translation>
     </message>
     <message>
         <source>expected bias of the Weber fraction</source>
@@ -12231,14 +12675,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>precision: SD of one run, as a factor</source>
         <translation>Genauigkeit: SD eines Laufs, als Faktor</translation>
-    </message>
-    <message>
-        <source>trials</source>
-        <translation>Durchgänge</translation>
-    </message>
-    <message>
-        <source>minutes, breaks included</source>
-        <translation>Minuten, mit Pausen</translation>
     </message>
     <message>
         <source>95 % intervals that contain the true value</source>
@@ -12274,10 +12710,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Equality threshold (σ)</source>
         <translation>Gleichheitsschwelle (σ)</translation>
-    </message>
-    <message>
-        <source>While the study is blinded, its conditions and the preview are sealed. Only the study&apos;s author can run a preview.</source>
-        <translation>Solange die Studie verblindet ist, sind ihre Bedingungen und die Vorschau versiegelt. Nur wer die Studie verfasst hat, kann eine Vorschau berechnen.</translation>
     </message>
     <message>
         <source>Runs per condition</source>
@@ -12352,7 +12784,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>How much people vary: 40 % is a factor of 1.4.</source>
-        <translation>Wie stark Personen streuen: 40 % entsprechen dem Faktor 1,4.</translation>
+        <translation>Wie stark sich Personen unterscheiden: 40 % entsprechen dem Faktor 1,4.</translation>
     </message>
     <message>
         <source>Share of their answers that is careless.</source>
@@ -12375,20 +12807,48 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Wie oft ein vorhandener Unterschied gefunden werden soll.</translation>
     </message>
     <message>
-        <source>smallest ratio detectable with %1 power and %2 participants who do both conditions</source>
-        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei %2 Personen in beiden Bedingungen nachweisen lässt</translation>
-    </message>
-    <message>
-        <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
-        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
-    </message>
-    <message>
         <source>The just noticeable difference of these observers, as a share of the reference.</source>
         <translation>Die Unterschiedsschwelle dieser Beobachter, als Anteil der Referenz.</translation>
     </message>
     <message>
         <source>Participants (with two groups: in each)</source>
         <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
+    </message>
+    <message>
+        <source>While the study is blinded, its conditions and their expected precision are sealed. Only the study&apos;s author can estimate it.</source>
+        <translation>Solange die Studie verblindet ist, sind ihre Bedingungen und deren erwartete Genauigkeit versiegelt. Nur die Person, die die Studie angelegt hat, kann die Genauigkeit schätzen.</translation>
+    </message>
+    <message>
+        <source>The program calculates how precise the results will be: simulated observers, whose true values are known, run through the study without haptic rendering. They are no participants, and nothing of it is stored as data. To see the study as a participant does, use Pilot run under Check and freeze.</source>
+        <translation>Das Programm berechnet, wie genau die Ergebnisse werden: Simulierte Beobachter, deren wahre Werte bekannt sind, durchlaufen die Studie ohne haptische Darstellung. Sie nehmen nicht teil, und nichts davon wird als Daten gespeichert. Um die Studie so zu sehen, wie Teilnehmende sie sehen, starten Sie einen Probelauf unter „Prüfen und einfrieren“.</translation>
+    </message>
+    <message>
+        <source>Estimate the precision</source>
+        <translation>Genauigkeit schätzen</translation>
+    </message>
+    <message>
+        <source>Progress of the simulation</source>
+        <translation>Fortschritt der Simulation</translation>
+    </message>
+    <message>
+        <source>The precision could not be estimated. %1</source>
+        <translation>Die Genauigkeit konnte nicht geschätzt werden. %1</translation>
+    </message>
+    <message>
+        <source>trials of one run of this condition</source>
+        <translation>Durchgänge eines Laufs dieser Bedingung</translation>
+    </message>
+    <message>
+        <source>minutes of one run, breaks included</source>
+        <translation>Minuten eines Laufs, Pausen eingeschlossen</translation>
+    </message>
+    <message>
+        <source>smallest ratio of two conditions&apos; Weber fractions that is found with %1 power and %2 participants who do both conditions</source>
+        <translation>kleinstes Verhältnis der Weber-Brüche zweier Bedingungen, das sich mit %1 Teststärke bei %2 Personen in beiden Bedingungen nachweisen lässt</translation>
+    </message>
+    <message>
+        <source>smallest ratio of two conditions&apos; Weber fractions that is found with %1 power and two groups of %2 participants</source>
+        <translation>kleinstes Verhältnis der Weber-Brüche zweier Bedingungen, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
     </message>
 </context>
 <context>
@@ -12559,12 +13019,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Es gibt noch keine Lernenden</translation>
     </message>
     <message>
-        <source>As soon as an administrator has added trainees under People, they are listed here, also before they have trained.</source>
-        <translation>Sobald die Administration unter „Personen“ Lernende hinzugefügt hat, stehen sie hier, auch bevor sie trainiert haben.</translation>
+        <source>As soon as an administrator has added trainees under People, they are listed here, even before they have trained.</source>
+        <translation>Sobald die Administration unter „Personen“ Lernende hinzugefügt hat, stehen sie hier, auch wenn sie noch nicht trainiert haben.</translation>
     </message>
     <message>
         <source>Nobody matches these filters</source>
-        <translation>Auf diese Filter passt niemand</translation>
+        <translation>Zu diesen Filtern passt niemand</translation>
     </message>
     <message numerus="yes">
         <source>%n person(s) in all.</source>
@@ -12580,7 +13040,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>How far each person of the group is.
 
-A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
+A row is a person. Under each exercise you see the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
 
 The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
 
@@ -13524,7 +13984,7 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Eine Sicherung enthält die Anmeldenamen und Passwörter des Tages, an dem sie erstellt wurde. Wurden Ihre seitdem geändert, geben Sie die früheren ein.</translation>
     </message>
     <message>
-        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place unasked.</source>
+        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place without permission.</source>
         <translation>Die beschädigte Datei hat noch die Anmeldenamen und Passwörter ihres letzten Tages. Wo sie lesbar sind, muss jemand aus ihrer Administration zustimmen, damit niemand ungefragt eine alte Sicherung an ihre Stelle setzt.</translation>
     </message>
     <message>
@@ -13568,7 +14028,7 @@ Jemand, der laut Sicherung zur Administration gehört, muss das Passwort eingebe
     </message>
     <message>
         <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>
-        <translation>%1 ist nicht mehr da. Wurde die Datei verschoben oder liegt sie auf einer Festplatte, die nicht angeschlossen ist, stellen Sie sie zurück und versuchen Sie es erneut. Sonst stellen Sie eine Sicherung wieder her.</translation>
+        <translation>%1 ist nicht mehr da. Wurde die Datei verschoben oder liegt sie auf einer Festplatte, die nicht angeschlossen ist, legen Sie sie zurück und versuchen Sie es erneut. Sonst stellen Sie eine Sicherung wieder her.</translation>
     </message>
     <message>
         <source>%1 cannot be read as a site. Nothing was changed. Restore a backup to continue; the damaged file is kept as a copy.</source>
@@ -13811,7 +14271,7 @@ Einzelheiten: %1</translation>
 Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Enter or double-click to open an attempt.</source>
         <translation>Die Ergebnisse einer Person.
 
-Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; Versuche mit gespürter und mit nur angezeigter Kraft werden nie verglichen. Mit Enter oder einem Doppelklick öffnen Sie einen Versuch.</translation>
+Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; Versuche mit gefühlter und mit nur gezeigter Kraft werden nie verglichen. Mit Enter oder einem Doppelklick öffnen Sie einen Versuch.</translation>
     </message>
     <message>
         <source>All your sessions, and your progress.
@@ -13958,7 +14418,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
     </message>
     <message>
         <source>Leave them as they are</source>
-        <translation>Lassen, wie sie sind</translation>
+        <translation>Unverändert lassen</translation>
     </message>
     <message>
         <source>Update full name and roles</source>
@@ -14080,7 +14540,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Rückmeldung</translation>
     </message>
     <message>
-        <source>Participants are told after each trial how well they did. It changes what is measured.</source>
+        <source>Participants are told after each trial how well they did. This feedback changes what is measured.</source>
         <translation>Teilnehmende erfahren nach jedem Durchgang, wie gut sie waren. Das verändert, was gemessen wird.</translation>
     </message>
     <message>
@@ -14263,6 +14723,44 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <source>How far the measured force may be from the commanded one (root mean square).</source>
         <translation>Wie weit die gemessene Kraft vom Sollwert abweichen darf (quadratisches Mittel).</translation>
     </message>
+    <message>
+        <source>%1: as many trials as the answers need</source>
+        <translation>%1: so viele Durchgänge, wie die Antworten verlangen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: %n Durchgang, der zählt</numerusform>
+            <numerusform>%1: %n Durchgänge, die zählen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: at most %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: höchstens %n Durchgang, der zählt</numerusform>
+            <numerusform>%1: höchstens %n Durchgänge, die zählen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Number of trials</source>
+        <translation>Anzahl der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Ändern: %1</translation>
+    </message>
+    <message>
+        <source>The procedure of each condition sets this number, on the page Conditions. Practice and repeated trials are not included.</source>
+        <translation>Das Verfahren jeder Bedingung legt diese Zahl fest, auf der Seite „Bedingungen“. Übungsdurchgänge und wiederholte Durchgänge sind nicht mitgezählt.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RunScreen</name>
@@ -14385,6 +14883,34 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Go on with %1</source>
         <translation>Weiter mit %1</translation>
+    </message>
+    <message>
+        <source>%1 has nothing left to do.</source>
+        <translation>Für %1 ist nichts mehr zu tun.</translation>
+    </message>
+    <message>
+        <source>%1 comes next and is selected.</source>
+        <translation>%1 ist als Nächstes an der Reihe und ausgewählt.</translation>
+    </message>
+    <message>
+        <source>%1 has nothing left to do. %2 comes next.</source>
+        <translation>Für %1 ist nichts mehr zu tun. Als Nächstes ist %2 an der Reihe.</translation>
+    </message>
+    <message>
+        <source>Nobody who is enrolled has anything left to do. Enrol the next participant.</source>
+        <translation>Für alle Aufgenommenen ist nichts mehr zu tun. Nehmen Sie die nächste Person auf.</translation>
+    </message>
+    <message>
+        <source>Nobody who is enrolled has anything left to do.</source>
+        <translation>Für alle Aufgenommenen ist nichts mehr zu tun.</translation>
+    </message>
+    <message>
+        <source>Sequence in each condition: %1.</source>
+        <translation>Ablauf in jeder Bedingung: %1.</translation>
+    </message>
+    <message>
+        <source>If %1 does not come back, go on with somebody else. The trials that were done are kept, and count if they suffice for a value. The run can be resumed later. To take %1 out of the study, withdraw them on the study&apos;s page of participants.</source>
+        <translation>Wenn %1 nicht zurückkommt, machen Sie mit jemand anderem weiter. Die Durchgänge bis dahin bleiben erhalten und zählen, wenn sie für einen Wert ausreichen. Der Lauf kann später fortgesetzt werden. Um %1 aus der Studie zu nehmen, ziehen Sie die Teilnahme auf der Seite „Teilnehmende“ der Studie zurück.</translation>
     </message>
 </context>
 <context>
@@ -14756,7 +15282,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Sitzung %1 ist weiterhin ungültig.</translation>
     </message>
     <message>
-        <source>Session %1 counts again. That it was void stays on record.</source>
+        <source>Session %1 counts again. Its history still shows that it was void.</source>
         <translation>Sitzung %1 zählt wieder. Dass sie ungültig war, bleibt vermerkt.</translation>
     </message>
     <message>
@@ -14846,10 +15372,6 @@ Enter oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P
         <translation>Eine Warnung über der Grenze</translation>
     </message>
     <message>
-        <source>A brighter tone when force is tilted</source>
-        <translation>Ein hellerer Ton bei geneigter Kraft</translation>
-    </message>
-    <message>
         <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
         <translation>Alles Hörbare wird auch angezeigt. Die Kraft dahinter wird auch bei ausgeschaltetem Ton aufgezeichnet.</translation>
     </message>
@@ -14864,6 +15386,10 @@ Administrators also give the site its name here.</source>
 Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davon ändert, was aufgezeichnet oder wie es gewertet wird.
 
 Die Administration gibt hier auch dem Standort seinen Namen.</translation>
+    </message>
+    <message>
+        <source>A brighter tone the more the force leans</source>
+        <translation>Hellerer Ton bei schräger Kraft</translation>
     </message>
 </context>
 <context>
@@ -14937,8 +15463,8 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
         <translation>Name des Standorts, etwa der Klinik (darf leer bleiben)</translation>
     </message>
     <message>
-        <source>Everybody sees it at the login, on password slips and at the top of reports. A change stands in the audit trail.</source>
-        <translation>Alle sehen ihn bei der Anmeldung, auf Passwortzetteln und oben auf Berichten. Eine Änderung steht im Prüfprotokoll.</translation>
+        <source>Everybody sees it at the login, on password slips and at the top of reports. Each change is recorded in the audit trail.</source>
+        <translation>Alle sehen ihn bei der Anmeldung, auf Passwortzetteln und oben auf Berichten. Jede Änderung wird im Prüfprotokoll vermerkt.</translation>
     </message>
     <message>
         <source>Save the site&apos;s name</source>
@@ -15150,10 +15676,6 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>No haptic device is connected: this version does not have a driver for one yet.</source>
-        <translation>Es ist kein haptisches Gerät angeschlossen: Diese Version hat noch keinen Treiber dafür.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Freier Platz</translation>
     </message>
@@ -15203,11 +15725,11 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
     </message>
     <message>
         <source>Simulated fingertip platform</source>
-        <translation>Simulierte Fingerkuppenplattform</translation>
+        <translation>Simulierte Fingerkuppen-Plattform</translation>
     </message>
     <message>
         <source>None: the loop alone, without a device</source>
-        <translation>Keines: die Schleife allein, ohne Gerät</translation>
+        <translation>Keines: die Kraftregelung allein, ohne Gerät</translation>
     </message>
     <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
@@ -15221,9 +15743,9 @@ With real-time priority the loop stays on time whatever else the computer does. 
 
 Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung, die in Echtzeit lief, und in einem Selbsttest von zehn Sekunden ohne Gerät.
 
-Die Fingerkuppenplattform wird wie in ihrer Veröffentlichung geprüft: wie genau sie einer Kraft und einer Ausrichtung folgt. Jede Prüfung bleibt im Prüfprotokoll, und ihr Protokoll kann gespeichert und abgelegt werden: wer, wann, auf welchem Gerät und mit welcher Programmversion, und jeder Messwert neben seiner Grenze.
+Die Fingerkuppen-Plattform wird wie in ihrer Veröffentlichung geprüft: wie genau sie einer Kraft und einer Ausrichtung folgt. Jede Prüfung bleibt im Prüfprotokoll, und ihr Protokoll kann gespeichert und abgelegt werden: wer, wann, auf welchem Gerät und mit welcher Programmversion, und jeder Messwert neben seiner Grenze.
 
-Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer sonst tut. Diese Seite zeigt, ob die Schleife diese Priorität hat und wie man sie erlaubt.</translation>
+Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Computer sonst tut. Diese Seite zeigt, ob sie diese Priorität hat und wie man sie erlaubt.</translation>
     </message>
     <message>
         <source>Record (PDF) …</source>
@@ -15240,6 +15762,10 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     <message>
         <source>A researcher or an administrator can run it here.</source>
         <translation>Forschende oder die Administration können sie hier ausführen.</translation>
+    </message>
+    <message>
+        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices on a network or serial line was tested against an emulation.</source>
+        <translation>An diese Version war noch kein haptisches Gerät eines Herstellers angeschlossen: Der Treiber für Geräte an einem Netzwerk oder einer seriellen Leitung wurde mit einer Nachbildung geprüft.</translation>
     </message>
 </context>
 <context>
@@ -15954,10 +16480,6 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Fragen</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>Participants</source>
         <translation>Teilnehmende</translation>
     </message>
@@ -16090,14 +16612,6 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Die letzten Änderungen werden noch gespeichert.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
-
-Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit Weiter und Zurück durch, oder springen Sie über ihren Namen zu einer. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten steht, was Teilnehmende erwartet.
-
-Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. Vorschau lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. Prüfen und einfrieren sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
-    </message>
-    <message>
         <source>Aim</source>
         <translation>Ziel</translation>
     </message>
@@ -16141,8 +16655,36 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
-        <source>The preview was stopped because you left its page, and nothing of it was kept. Press Preview there to calculate it again.</source>
-        <translation>Die Vorschau wurde abgebrochen, weil Sie ihre Seite verlassen haben, und nichts davon ist erhalten. Drücken Sie dort „Vorschau“, um sie neu zu berechnen.</translation>
+        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+
+Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit Weiter und Zurück durch, oder springen Sie über ihren Namen zu einer. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten steht, was Teilnehmende erwartet.
+
+Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. Erwartete Genauigkeit lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. Prüfen und einfrieren sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Expected precision</source>
+        <translation>Erwartete Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Needed before it can be frozen: %1</source>
+        <translation>Vor dem Einfrieren noch nötig: %1</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>Next: correct “%1”</source>
+        <translation>Weiter: „%1“ berichtigen</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press Estimate the precision there to calculate it again.</source>
+        <translation>Die Simulation wurde abgebrochen, weil Sie ihre Seite verlassen haben, und nichts davon wurde behalten. Drücken Sie dort „Genauigkeit schätzen“, um sie neu zu rechnen.</translation>
+    </message>
+    <message>
+        <source>cannot be frozen before the entries marked in red are corrected</source>
+        <translation>kann erst eingefroren werden, wenn die rot markierten Einträge berichtigt sind</translation>
     </message>
 </context>
 <context>
@@ -16596,10 +17138,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Person %1 · Übung</translation>
     </message>
     <message>
-        <source>The next objects are coming. Lift the tool off.</source>
-        <translation>Die nächsten Objekte kommen. Heben Sie das Instrument ab.</translation>
-    </message>
-    <message>
         <source>Correct.</source>
         <translation>Richtig.</translation>
     </message>
@@ -16643,18 +17181,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Diese Sitzung beenden?</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues later at the same trial.</source>
-        <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht später beim selben Durchgang weiter.</translation>
-    </message>
-    <message>
-        <source>Keep going</source>
-        <translation>Weitermachen</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
         <source>This condition is completed.</source>
         <translation>Diese Bedingung ist abgeschlossen.</translation>
     </message>
@@ -16679,28 +17205,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Zeit zum Erkunden</translation>
     </message>
     <message>
-        <source>Stop force</source>
-        <translation>Kraft stoppen</translation>
-    </message>
-    <message>
-        <source>Re-arm force</source>
-        <translation>Kraft freigeben</translation>
-    </message>
-    <message>
-        <source>The next sphere is coming. Lift the tool off.</source>
-        <translation>Die nächste Kugel kommt. Heben Sie das Instrument ab.</translation>
-    </message>
-    <message>
         <source>%1 mm from the highest point.</source>
         <translation>%1 mm vom höchsten Punkt entfernt.</translation>
     </message>
     <message>
         <source>Click or press Enter at the highest point.</source>
         <translation>Klicken Sie am höchsten Punkt oder drücken Sie dort Enter.</translation>
-    </message>
-    <message>
-        <source>Force is stopped</source>
-        <translation>Kraft ist gestoppt</translation>
     </message>
     <message>
         <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
@@ -16814,10 +17324,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Die freie Minute ist vorbei</translation>
     </message>
     <message>
-        <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
-        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig berührt. Lassen Sie sich von der Versuchsleitung zeigen, wie ein Objekt berührt und losgelassen wird.</translation>
-    </message>
-    <message>
         <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the session, connect headphones or loudspeakers, and resume the run.</source>
         <translation>Das Maskierungsgeräusch ist nicht zu hören: Dieser Rechner hat keine Tonausgabe. Jeder Durchgang wird als nicht maskiert festgehalten. Um zu maskieren, beenden Sie die Sitzung, schließen Sie Kopfhörer oder Lautsprecher an und setzen Sie den Lauf fort.</translation>
     </message>
@@ -16837,10 +17343,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Was Sie ausprobiert haben, zählt nicht. Als Nächstes kommen Übungsdurchgänge, auch sie zählen nicht; danach zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
     </message>
     <message>
-        <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
-        <translation>Was Sie ausprobiert haben, zählt nicht. Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
         <source>You moved too fast. Move more slowly.</source>
         <translation>Sie haben sich zu schnell bewegt. Bewegen Sie sich langsamer.</translation>
     </message>
@@ -16851,10 +17353,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>You pressed too hard. Press more gently.</source>
         <translation>Sie haben zu stark gedrückt. Drücken Sie sanfter.</translation>
-    </message>
-    <message>
-        <source>%1 These objects come again. Lift the tool off.</source>
-        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Instrument ab.</translation>
     </message>
     <message>
         <source>The next part</source>
@@ -16909,16 +17407,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Drücken Sie etwas fester auf %1: mindestens %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was touched in time.</source>
-        <translation>Nicht jedes Objekt wurde rechtzeitig berührt.</translation>
-    </message>
-    <message>
         <source>Practice is over</source>
         <translation>Die Übung ist vorbei</translation>
-    </message>
-    <message>
-        <source>From now on every answer counts. Press Continue when you are ready.</source>
-        <translation>Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16927,10 +17417,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Stop … (Esc twice)</source>
         <translation>Beenden … (Esc zweimal)</translation>
-    </message>
-    <message>
-        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
-        <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung beendet werden soll. T gibt den Zeiger frei.</translation>
     </message>
     <message>
         <source>It comes again later.</source>
@@ -16951,10 +17437,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung zu beenden.</translation>
-    </message>
-    <message>
-        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
-        <translation>Die Leertaste pausiert. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; ein zweites Esc fragt, ob die Sitzung beendet werden soll.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>
@@ -16997,20 +17479,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Sie haben Objekt %1 losgelassen. Heben Sie das Instrument.</translation>
     </message>
     <message>
-        <source>You are holding the object. Pull it up.</source>
-        <translation>Sie halten das Objekt. Ziehen Sie es nach oben.</translation>
-    </message>
-    <message>
-        <source>You are holding object %1. Pull it up.</source>
-        <translation>Sie halten Objekt %1. Ziehen Sie es nach oben.</translation>
-    </message>
-    <message>
         <source>Touch next: %1.</source>
         <translation>Berühren Sie als Nächstes: %1.</translation>
-    </message>
-    <message>
-        <source>Not every object was explored with at least %1 N in time.</source>
-        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N erkundet.</translation>
     </message>
     <message>
         <source>Find the highest point, and mark it.</source>
@@ -17019,10 +17489,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Find the sphere first.</source>
         <translation>Finden Sie zuerst die Kugel.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N erkundet. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
     <message>
         <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again and does not count as an answer. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
@@ -17078,10 +17544,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Please call the experimenter</source>
         <translation>Bitte rufen Sie die Versuchsleitung</translation>
-    </message>
-    <message>
-        <source>The last trial could not be presented accurately enough, even after several attempts. The experimenter decides how to go on.</source>
-        <translation>Der letzte Durchgang konnte auch nach mehreren Versuchen nicht genau genug dargeboten werden. Die Versuchsleitung entscheidet, wie es weitergeht.</translation>
     </message>
     <message>
         <source>Go on (R)</source>
@@ -17178,6 +17640,210 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Press less hard in this trial.</source>
         <translation>Drücken Sie in diesem Durchgang weniger stark.</translation>
     </message>
+    <message>
+        <source>All answers given so far are kept. The run is not finished: it can be resumed later at the same trial, also on another day. If it is not resumed, the answers count in the results as far as they suffice for a value.</source>
+        <translation>Alle bisherigen Antworten bleiben erhalten. Der Lauf ist nicht abgeschlossen: Er kann später am selben Durchgang fortgesetzt werden, auch an einem anderen Tag. Wird er nicht fortgesetzt, zählen die Antworten in den Ergebnissen, soweit sie für einen Wert ausreichen.</translation>
+    </message>
+    <message>
+        <source>Go on with the trials</source>
+        <translation>Mit den Durchgängen weitermachen</translation>
+    </message>
+    <message>
+        <source>Stop the pilot run</source>
+        <translation>Probelauf beenden</translation>
+    </message>
+    <message>
+        <source>Stop, and keep the answers</source>
+        <translation>Beenden und Antworten behalten</translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation>die Markierung</translation>
+    </message>
+    <message>
+        <source>Take back: %1 (⌫)</source>
+        <translation>Zurücknehmen: %1 (⌫)</translation>
+    </message>
+    <message>
+        <source>Pull it up: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Ziehen Sie es hoch: Drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Pull it up.</source>
+        <translation>Ziehen Sie es hoch.</translation>
+    </message>
+    <message>
+        <source>Press the object less hard onto the table.</source>
+        <translation>Drücken Sie das Objekt weniger stark auf den Tisch.</translation>
+    </message>
+    <message>
+        <source>Press the object less hard onto the table in this trial.</source>
+        <translation>Drücken Sie das Objekt in diesem Durchgang weniger stark auf den Tisch.</translation>
+    </message>
+    <message>
+        <source>You pressed an object too hard onto the table. Put it down more gently.</source>
+        <translation>Sie haben ein Objekt zu stark auf den Tisch gedrückt. Setzen Sie es sanfter ab.</translation>
+    </message>
+    <message>
+        <source>Raise the tool: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Heben Sie das Instrument: Drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Raise the handle.</source>
+        <translation>Heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>You are pressing the object.</source>
+        <translation>Sie drücken auf das Objekt.</translation>
+    </message>
+    <message>
+        <source>You are touching the object. Move the mouse to stroke it.</source>
+        <translation>Sie berühren das Objekt. Bewegen Sie die Maus, um darüber zu streichen.</translation>
+    </message>
+    <message>
+        <source>You are touching the object. Move the handle to stroke it.</source>
+        <translation>Sie berühren das Objekt. Bewegen Sie den Griff, um darüber zu streichen.</translation>
+    </message>
+    <message>
+        <source>Lift the object first.</source>
+        <translation>Heben Sie zuerst das Objekt.</translation>
+    </message>
+    <message>
+        <source>Lift first: %1.</source>
+        <translation>Heben Sie zuerst: %1.</translation>
+    </message>
+    <message>
+        <source>Lift next: %1.</source>
+        <translation>Heben Sie als Nächstes: %1.</translation>
+    </message>
+    <message>
+        <source>Pull the object first.</source>
+        <translation>Ziehen Sie zuerst an dem Objekt.</translation>
+    </message>
+    <message>
+        <source>Pull first: %1.</source>
+        <translation>Ziehen Sie zuerst an: %1.</translation>
+    </message>
+    <message>
+        <source>Pull next: %1.</source>
+        <translation>Ziehen Sie als Nächstes an: %1.</translation>
+    </message>
+    <message>
+        <source>You can answer now, or explore further.</source>
+        <translation>Sie können jetzt antworten oder weiter erkunden.</translation>
+    </message>
+    <message>
+        <source>You can answer now.</source>
+        <translation>Sie können jetzt antworten.</translation>
+    </message>
+    <message>
+        <source>You have not let go of an object yet, which you need for the next one.</source>
+        <translation>Sie haben noch kein Objekt losgelassen; das brauchen Sie aber für das nächste.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold Page Up.</source>
+        <translation>Drehen Sie das Rad von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down.</source>
+        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab.</translation>
+    </message>
+    <message>
+        <source>The pointer is free: click in the scene to move the tool with the mouse again.</source>
+        <translation>Der Zeiger ist frei: Klicken Sie in die Szene, um das Instrument wieder mit der Maus zu bewegen.</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>Lower the tool until the force rises: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Senken Sie das Instrument, bis die Kraft steigt: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab.</translation>
+    </message>
+    <message>
+        <source>Lower the tip until it meets the sphere.</source>
+        <translation>Senken Sie die Spitze, bis sie die Kugel trifft.</translation>
+    </message>
+    <message>
+        <source>The time ended while you were still holding an object: put it down and let go of it to lift the next one.</source>
+        <translation>Die Zeit war um, während Sie noch ein Objekt hielten: Setzen Sie es ab und lassen Sie es los, um das nächste zu heben.</translation>
+    </message>
+    <message>
+        <source>The time ended while you were still holding an object: let go of it to explore the next one.</source>
+        <translation>Die Zeit war um, während Sie noch ein Objekt hielten: Lassen Sie es los, um das nächste zu erkunden.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was lifted: one of them was held, but stayed on the table.</source>
+        <translation>Die Zeit war um, bevor jedes Objekt gehoben war: Eines wurde gehalten, blieb aber auf dem Tisch.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was lifted.</source>
+        <translation>Die Zeit war um, bevor jedes Objekt gehoben war.</translation>
+    </message>
+    <message>
+        <source>You did not pull every object hard enough in time: at least %1 N.</source>
+        <translation>Sie haben nicht an jedem Objekt rechtzeitig fest genug gezogen: mindestens %1 N.</translation>
+    </message>
+    <message>
+        <source>You did not press every object hard enough in time: at least %1 N.</source>
+        <translation>Sie haben nicht auf jedes Objekt rechtzeitig fest genug gedrückt: mindestens %1 N.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was pulled.</source>
+        <translation>Die Zeit war um, bevor an jedem Objekt gezogen war.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was touched.</source>
+        <translation>Die Zeit war um, bevor jedes Objekt berührt war.</translation>
+    </message>
+    <message>
+        <source>%1 This practice trial comes again.</source>
+        <translation>%1 Dieser Übungsdurchgang kommt noch einmal.</translation>
+    </message>
+    <message>
+        <source>The next objects are coming.</source>
+        <translation>Die nächsten Objekte kommen.</translation>
+    </message>
+    <message>
+        <source>These objects come again.</source>
+        <translation>Diese Objekte kommen noch einmal.</translation>
+    </message>
+    <message>
+        <source>The next sphere is coming.</source>
+        <translation>Die nächste Kugel kommt.</translation>
+    </message>
+    <message>
+        <source>Unlike in practice, the next trial comes by itself after each answer: there is no Next, and no answer can be taken back. Press Continue when you are ready.</source>
+        <translation>Anders als beim Üben kommt nach jeder Antwort der nächste Durchgang von selbst: Es gibt kein „Weiter“ dazwischen, und keine Antwort lässt sich zurücknehmen. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>The next trial comes by itself after each answer, and no answer can be taken back. Press Continue when you are ready.</source>
+        <translation>Nach jeder Antwort kommt der nächste Durchgang von selbst, und keine Antwort lässt sich zurücknehmen. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>What you tried does not count. From now on every answer counts.</source>
+        <translation>Was Sie ausprobiert haben, zählt nicht. Ab jetzt zählt jede Antwort.</translation>
+    </message>
+    <message>
+        <source>Several trials in a row did not count. The last one: %1</source>
+        <translation>Mehrere Durchgänge hintereinander zählten nicht. Der letzte: %1</translation>
+    </message>
+    <message>
+        <source>Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Bitten Sie die Versuchsleitung zu zeigen, wie man ein Objekt erkundet und loslässt.</translation>
+    </message>
+    <message>
+        <source>Ask the experimenter to show how an object is explored.</source>
+        <translation>Bitten Sie die Versuchsleitung zu zeigen, wie man ein Objekt erkundet.</translation>
+    </message>
+    <message>
+        <source>The experimenter decides how to go on.</source>
+        <translation>Die Versuchsleitung entscheidet, wie es weitergeht.</translation>
+    </message>
+    <message>
+        <source>From now on every answer counts.</source>
+        <translation>Ab jetzt zählt jede Antwort.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>
@@ -17250,7 +17916,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Soll Sitzung %1 von %2 wieder zählen?</translation>
     </message>
     <message>
-        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions stay with it, each with a name, a time and a reason.</source>
+        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions are kept with it, each with a name, a time and a reason.</source>
         <translation>Die Sitzung zählt wieder wie vor der Ungültigerklärung: für das Bestehen ihrer Stufe und in den Ergebnissen. Beide Entscheidungen bleiben bei ihr gespeichert, jede mit Namen, Zeit und Grund.</translation>
     </message>
     <message>
@@ -17277,20 +17943,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Teilnahme von %1 zurückziehen</translation>
     </message>
     <message>
-        <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Die Person scheidet aus der Studie aus; offene Läufe werden beendet. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
-    </message>
-    <message>
         <source>The participant wants the recordings erased</source>
         <translation>Die Person möchte, dass die Aufzeichnungen gelöscht werden</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
         <translation>Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Withdraw</source>
-        <translation>Zurückziehen</translation>
     </message>
     <message>
         <source>The participant was not withdrawn.
@@ -17305,6 +17963,26 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant).</source>
         <translation>Der Wunsch wird festgehalten und der Administration gemeldet, die dann die Aufzeichnungen löscht (Personen, Teilnehmer/in löschen).</translation>
+    </message>
+    <message>
+        <source>Withdraw %1 only if they leave the study for good. If they merely stopped for today, do not withdraw them: an interrupted run is resumed under Run.</source>
+        <translation>Ziehen Sie die Teilnahme von %1 nur zurück, wenn die Person die Studie endgültig verlässt. Hat sie nur für heute aufgehört, tun Sie es nicht: Ein unterbrochener Lauf wird unter „Durchführen“ fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>What is kept: everything that was recorded, under the code. Nothing is erased, unless the participant wants it (below).</source>
+        <translation>Was erhalten bleibt: alles, was aufgezeichnet wurde, unter dem Code. Nichts wird gelöscht, es sei denn, die Person wünscht es (unten).</translation>
+    </message>
+    <message>
+        <source>What no longer counts: this participant&apos;s answers, also those of finished runs. They are left out of group values and comparisons.</source>
+        <translation>Was nicht mehr zählt: die Antworten dieser Person, auch die abgeschlossener Läufe. Sie gehen in Gruppenwerte und Vergleiche nicht ein.</translation>
+    </message>
+    <message>
+        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <translation>Was endet: Ein offener Lauf kann nicht fortgesetzt und kein weiterer begonnen werden. Der Platz in der Reihenfolge der Bedingungen wird für die nächste Person frei.</translation>
+    </message>
+    <message>
+        <source>Do not withdraw</source>
+        <translation>Nicht zurückziehen</translation>
     </message>
 </context>
 <context>
@@ -17419,6 +18097,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Tissue, fingers and findings, from above and from the side</source>
         <translation>Gewebe, Finger und Funde, von oben und von der Seite</translation>
+    </message>
+    <message>
+        <source>Lines: %1 mm</source>
+        <translation>Linien: %1 mm</translation>
     </message>
 </context>
 <context>
@@ -18285,8 +18967,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Kraft des Gewebes und was davon gefühlt wurde</translation>
     </message>
     <message>
-        <source>Ticks, late, left out</source>
-        <translation>Takte, verspätet, ausgefallen</translation>
+        <source>Ticks: all, late, skipped</source>
+        <translation>Takte: alle, verspätet, ausgefallen</translation>
     </message>
     <message>
         <source>by chance %1</source>

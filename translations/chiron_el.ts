@@ -148,7 +148,7 @@
     </message>
     <message>
         <source>%1 of %2 lumps found</source>
-        <translation>Βρέθηκαν %1 από %2 όζους</translation>
+        <translation>Βρέθηκαν %1 από τους %2 όζους</translation>
     </message>
     <message>
         <source>The lump was missed</source>
@@ -218,7 +218,7 @@
     <name>AskedSitting</name>
     <message>
         <source>The study %1 could not be opened.</source>
-        <translation>Η μελέτη %1 δεν ήταν δυνατό να ανοιχτεί.</translation>
+        <translation>Δεν ήταν δυνατό το άνοιγμα της μελέτης %1.</translation>
     </message>
 </context>
 <context>
@@ -481,7 +481,7 @@
         <translation>Κλείστε τη λαβή. Για να ανοίξουν οι σιαγόνες, ανοίξτε τη λαβή.</translation>
     </message>
     <message>
-        <source>Lower the handle until the tip touches. To raise the tip, raise the handle.</source>
+        <source>Lower the handle until the tip makes contact. To raise the tip, raise the handle.</source>
         <translation>Κατεβάστε τη λαβή μέχρι να ακουμπήσει η άκρη. Για να σηκώσετε την άκρη, σηκώστε τη λαβή.</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Το πεδίο είναι κενό. Συμπληρώστε το.</translation>
     </message>
     <message>
-        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <source>Use only lower-case letters, digits and _, and begin with a letter.</source>
         <translation>Χρησιμοποιήστε μόνο πεζά λατινικά γράμματα, ψηφία και _, με γράμμα στην αρχή.</translation>
     </message>
     <message>
@@ -646,6 +646,14 @@
         <source>How the gimbal renders force</source>
         <translation>Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
     </message>
+    <message>
+        <source>Haptic device over a network or serial line</source>
+        <translation>Απτική συσκευή μέσω δικτύου ή σειριακής γραμμής</translation>
+    </message>
+    <message>
+        <source>Its forces are felt. Only the command line uses it so far (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
+        <translation>Οι δυνάμεις της γίνονται αισθητές. Προς το παρόν τη χρησιμοποιεί μόνο η γραμμή εντολών (βλ. chiron-cli train --help). Δοκιμάστηκε με εξομοίωση· δεν έχει δοκιμαστεί ποτέ με πραγματικό υλικό.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWords</name>
@@ -656,8 +664,8 @@ Details: %2</source>
 Λεπτομέρειες: %2</translation>
     </message>
     <message>
-        <source>Your account does not permit this. Ask an administrator if it should.</source>
-        <translation>Ο λογαριασμός σας δεν το επιτρέπει. Αν θα έπρεπε, απευθυνθείτε σε διαχειριστή.</translation>
+        <source>Your account does not permit this. If you need it, ask an administrator.</source>
+        <translation>Ο λογαριασμός σας δεν το επιτρέπει. Αν το χρειάζεστε, απευθυνθείτε σε διαχειριστή.</translation>
     </message>
     <message>
         <source>It no longer exists or was never created. Nothing was changed.</source>
@@ -804,6 +812,46 @@ Details: %2</source>
         <source>This device renders no force: the force is shown beside the scene.</source>
         <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: η δύναμη εμφανίζεται δίπλα στη σκηνή.</translation>
     </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops the trial at once, and R goes on; Esc again asks whether to stop the session.</source>
+        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δοκιμή και το R τη συνεχίζει· με δεύτερο Esc το πρόγραμμα ρωτά αν θα διακοπεί η συνεδρία.</translation>
+    </message>
+    <message>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
+        <translation>Το Esc σταματά αμέσως τη δύναμη· αν το πατήσετε ξανά, το πρόγραμμα ρωτά αν θα διακοπεί η συνεδρία. Το T απελευθερώνει τον δείκτη.</translation>
+    </message>
+    <message>
+        <source>Esc stops the trial at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
+        <translation>Το Esc σταματά αμέσως τη δοκιμή· αν το πατήσετε ξανά, το πρόγραμμα ρωτά αν θα διακοπεί η συνεδρία. Το T απελευθερώνει τον δείκτη.</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Η δύναμη σταμάτησε</translation>
+    </message>
+    <message>
+        <source>The trial is stopped</source>
+        <translation>Η δοκιμή σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Διακοπή δύναμης</translation>
+    </message>
+    <message>
+        <source>Stop the trial</source>
+        <translation>Διακοπή της δοκιμής</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Ενεργοποίηση δύναμης</translation>
+    </message>
+    <message>
+        <source>Go on after a stop</source>
+        <translation>Συνέχεια μετά τη διακοπή</translation>
+    </message>
 </context>
 <context>
     <name>ForceWords</name>
@@ -829,7 +877,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The device sent impossible positions, so force was switched off.</source>
-        <translation>Η συσκευή έστειλε αδύνατες θέσεις και η δύναμη διακόπηκε.</translation>
+        <translation>Η συσκευή έστειλε θέσεις που δεν είναι δυνατές και η δύναμη διακόπηκε.</translation>
     </message>
     <message>
         <source>The device reports a fault, so force was switched off.</source>
@@ -897,7 +945,7 @@ Details: %2</source>
     </message>
     <message>
         <source>This device renders no force. The tool stays at the surface and moves more slowly the harder you press.</source>
-        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Το εργαλείο μένει στην επιφάνεια και κινείται τόσο πιο αργά όσο πιο δυνατά πιέζετε.</translation>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Το εργαλείο μένει στην επιφάνεια· όσο πιο δυνατά πιέζετε, τόσο πιο αργά κινείται.</translation>
     </message>
     <message>
         <source>Getting ready</source>
@@ -920,8 +968,8 @@ Details: %2</source>
         <translation>Η δύναμη αυξάνεται</translation>
     </message>
     <message>
-        <source>It rises slowly (now %1 %); the clock starts at full strength.</source>
-        <translation>Αυξάνεται αργά (τώρα %1 %)· ο χρόνος ξεκινά στην πλήρη ένταση.</translation>
+        <source>It rises slowly (now %1 %). The clock starts once it has reached full strength.</source>
+        <translation>Αυξάνεται αργά (τώρα %1 %). Ο χρόνος ξεκινά μόλις φτάσει στην πλήρη ένταση.</translation>
     </message>
     <message>
         <source>Force is on</source>
@@ -949,7 +997,7 @@ Details: %2</source>
     </message>
     <message>
         <source>This device renders no force. The endoscope moves more slowly the harder you press.</source>
-        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Το ενδοσκόπιο κινείται τόσο πιο αργά όσο πιο δυνατά πιέζετε.</translation>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Όσο πιο δυνατά πιέζετε, τόσο πιο αργά κινείται το ενδοσκόπιο.</translation>
     </message>
     <message>
         <source>The procedure begins as soon as the scene is drawn.</source>
@@ -957,7 +1005,7 @@ Details: %2</source>
     </message>
     <message>
         <source>This device renders no force. An instrument moves more slowly the harder something pulls or presses.</source>
-        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Ένα εργαλείο κινείται τόσο πιο αργά, όσο πιο δυνατά τραβά ή πιέζει κάτι.</translation>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Όσο πιο δυνατά τραβιέται ή πιέζεται ένα εργαλείο, τόσο πιο αργά κινείται.</translation>
     </message>
 </context>
 <context>
@@ -1038,10 +1086,6 @@ Details: %2</source>
         <translation>Διάρκεια</translation>
     </message>
     <message>
-        <source>At most about %1 minutes for each participant.</source>
-        <translation>Το πολύ περίπου %1 λεπτά ανά άτομο.</translation>
-    </message>
-    <message>
         <source>About %1 minutes for each participant, as simulated.</source>
         <translation>Περίπου %1 λεπτά ανά άτομο, κατά την προσομοίωση.</translation>
     </message>
@@ -1060,10 +1104,6 @@ Details: %2</source>
     <message>
         <source>The threshold of one run varies by a factor of %1.</source>
         <translation>Το κατώφλι μιας εκτέλεσης μεταβάλλεται κατά συντελεστή %1.</translation>
-    </message>
-    <message>
-        <source>More trials make it more precise; Preview shows how many.</source>
-        <translation>Περισσότερες δοκιμές τη βελτιώνουν· η προεπισκόπηση δείχνει πόσες.</translation>
     </message>
     <message>
         <source>Pilot</source>
@@ -1112,7 +1152,7 @@ Details: %2</source>
         <translation>Ήχος κάλυψης</translation>
     </message>
     <message>
-        <source>It is switched off. Participants may hear the device, and what they hear may tell objects apart.</source>
+        <source>It is switched off. Participants may hear the device, and its sound may tell them which object is which.</source>
         <translation>Είναι απενεργοποιημένος. Οι συμμετέχοντες ίσως ακούν τη συσκευή, και όσα ακούν μπορεί να ξεχωρίζουν τα αντικείμενα.</translation>
     </message>
     <message>
@@ -1136,14 +1176,6 @@ Details: %2</source>
         <translation>Προσομοιωμένοι παρατηρητές εκτελούν ακόμη τη μελέτη …</translation>
     </message>
     <message>
-        <source>With %1 participants, a ratio of %2 between two conditions is detected with 80 % power.</source>
-        <translation>Με %1 συμμετέχοντες ανιχνεύεται λόγος %2 μεταξύ δύο συνθηκών με ισχύ 80 %.</translation>
-    </message>
-    <message>
-        <source>With so few participants, no ratio up to 10 between two conditions is detected.</source>
-        <translation>Με τόσο λίγους συμμετέχοντες δεν ανιχνεύεται κανένας λόγος έως 10 μεταξύ δύο συνθηκών.</translation>
-    </message>
-    <message>
         <source>Usable values</source>
         <translation>Αξιοποιήσιμες τιμές</translation>
     </message>
@@ -1154,6 +1186,38 @@ Details: %2</source>
     <message>
         <source>The device of this station renders force.</source>
         <translation>Η συσκευή αυτού του σταθμού αποδίδει δύναμη.</translation>
+    </message>
+    <message>
+        <source>More trials make it more precise; the page Expected precision shows how many.</source>
+        <translation>Περισσότερες δοκιμές το κάνουν ακριβέστερο· η σελίδα «Αναμενόμενη ακρίβεια» δείχνει πόσες.</translation>
+    </message>
+    <message>
+        <source>Not possible yet. Correct first: %1. “Show” beside the red line leads there.</source>
+        <translation>Δεν είναι ακόμη δυνατό. Διορθώστε πρώτα: %1. Το «Εμφάνιση» δίπλα στην κόκκινη γραμμή σας οδηγεί εκεί.</translation>
+    </message>
+    <message>
+        <source>Please wait a moment: simulated observers are still running through the study.</source>
+        <translation>Περιμένετε λίγο: οι προσομοιωμένοι παρατηρητές διατρέχουν ακόμη τη μελέτη.</translation>
+    </message>
+    <message>
+        <source>Tick the box above first: it confirms what is marked as worth a look.</source>
+        <translation>Τσεκάρετε πρώτα το πλαίσιο επάνω: επιβεβαιώνει όσα σημειώνονται ως άξια προσοχής.</translation>
+    </message>
+    <message>
+        <source>An object counts as explored once it is lifted off the table.</source>
+        <translation>Ένα αντικείμενο θεωρείται ότι εξερευνήθηκε μόλις σηκωθεί από το τραπέζι.</translation>
+    </message>
+    <message>
+        <source>For each participant: %1.</source>
+        <translation>Ανά άτομο: %1.</translation>
+    </message>
+    <message>
+        <source>With %1 participants, a comparison of two conditions finds a difference with 80 % power if the Weber fraction of one is at least %2 times that of the other.</source>
+        <translation>Με %1 συμμετέχοντες, η σύγκριση δύο συνθηκών βρίσκει διαφορά με ισχύ 80 %, αν το κλάσμα Weber της μίας είναι τουλάχιστον %2 φορές εκείνο της άλλης.</translation>
+    </message>
+    <message>
+        <source>With so few participants, a comparison of two conditions would often fail to show even a Weber fraction that is ten times the other.</source>
+        <translation>Με τόσο λίγους συμμετέχοντες, η σύγκριση δύο συνθηκών θα παρέβλεπε συχνά ακόμη και κλάσμα Weber δεκαπλάσιο του άλλου.</translation>
     </message>
 </context>
 <context>
@@ -1278,7 +1342,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Take the tube over with the left instrument, then let go with the right one</source>
-        <translation>Παραλάβετε τον σωλήνα με το αριστερό εργαλείο, έπειτα αφήστε τον με το δεξί</translation>
+        <translation>Πιάστε τον σωλήνα με το αριστερό εργαλείο, έπειτα αφήστε τον με το δεξί</translation>
     </message>
     <message>
         <source>Lift the end of the tube</source>
@@ -1338,23 +1402,23 @@ Details: %2</source>
     </message>
     <message>
         <source>Holding: object %1 of %2</source>
-        <translation>Κρατά: αντικείμενο %1 από %2</translation>
+        <translation>Κρατάτε: αντικείμενο %1 από %2</translation>
     </message>
     <message>
         <source>Holding: the object</source>
-        <translation>Κρατά: το αντικείμενο</translation>
+        <translation>Κρατάτε: το αντικείμενο</translation>
     </message>
     <message>
         <source>Holding: the tube at two points</source>
-        <translation>Κρατά: τον σωλήνα σε δύο σημεία</translation>
+        <translation>Κρατάτε: τον σωλήνα σε δύο σημεία</translation>
     </message>
     <message>
         <source>Holding: the tube</source>
-        <translation>Κρατά: τον σωλήνα</translation>
+        <translation>Κρατάτε: τον σωλήνα</translation>
     </message>
     <message>
         <source>Holding: nothing</source>
-        <translation>Κρατά: τίποτα</translation>
+        <translation>Κρατάτε: τίποτα</translation>
     </message>
     <message>
         <source>Retract the fold of tissue with the third instrument until the pull is in the band</source>
@@ -1362,7 +1426,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Holding: the fold</source>
-        <translation>Κρατά: την πτυχή</translation>
+        <translation>Κρατάτε: την πτυχή</translation>
     </message>
     <message>
         <source>Is it the heaviest? Bring it over the ring; otherwise set it down</source>
@@ -1386,11 +1450,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Holding: the fold, and the tube at two points</source>
-        <translation>Κρατά: την πτυχή, και τον σωλήνα σε δύο σημεία</translation>
+        <translation>Κρατάτε: την πτυχή, και τον σωλήνα σε δύο σημεία</translation>
     </message>
     <message>
         <source>Holding: the fold, and the tube at one point</source>
-        <translation>Κρατά: την πτυχή, και τον σωλήνα σε ένα σημείο</translation>
+        <translation>Κρατάτε: την πτυχή, και τον σωλήνα σε ένα σημείο</translation>
     </message>
 </context>
 <context>
@@ -1638,7 +1702,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Goal: put the heaviest of %1 identical-looking objects inside the ring</source>
-        <translation>Στόχος: τοποθέτηση μέσα στον δακτύλιο του βαρύτερου από %1 όμοια αντικείμενα</translation>
+        <translation>Στόχος: το βαρύτερο από %1 όμοια αντικείμενα να τοποθετηθεί μέσα στον δακτύλιο</translation>
     </message>
     <message>
         <source>Goal: lift the object by %1 mm and put it inside the ring</source>
@@ -1903,7 +1967,7 @@ Details: %2</source>
         <translation>Ευθυγράμμιση στην καμπή</translation>
     </message>
     <message>
-        <source>Alignment round the bend</source>
+        <source>Alignment in the bend</source>
         <translation>Ευθυγράμμιση μέσα στην καμπή</translation>
     </message>
     <message>
@@ -1983,8 +2047,8 @@ Details: %2</source>
         <translation>Διαδρομή της άκρης στην επισκόπηση</translation>
     </message>
     <message>
-        <source>How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.</source>
-        <translation>Πόσο μετακινήθηκε η άκρη όσο εξεταζόταν η κύστη: η στροφή δείχνει άλλα τόσα και βλάπτει λιγότερο.</translation>
+        <source>How far the tip travelled while the bladder was inspected: turning the endoscope shows as much and does less harm.</source>
+        <translation>Πόσο μετακινήθηκε η άκρη όσο εξεταζόταν η κύστη: η στροφή του ενδοσκοπίου δείχνει τα ίδια και βλάπτει λιγότερο.</translation>
     </message>
     <message>
         <source>Insertion depth</source>
@@ -2147,16 +2211,16 @@ Details: %2</source>
         <translation>Όζοι που βρέθηκαν</translation>
     </message>
     <message>
-        <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
-        <translation>Όζοι στους οποίους κάποιο εύρημα ήταν αρκετά κοντά. Ένας όζος που πιέστηκε πάνω από το όριο δεν μετρά.</translation>
+        <source>Lumps with a finding close enough to count. A lump that was pressed harder than the limit does not count.</source>
+        <translation>Όζοι με αρκετά κοντινό εύρημα. Ένας όζος που πιέστηκε πάνω από το όριο δεν μετρά.</translation>
     </message>
     <message>
         <source>Lumps missed</source>
         <translation>Όζοι που διέφυγαν</translation>
     </message>
     <message>
-        <source>Lumps with no finding near enough to them.</source>
-        <translation>Όζοι στους οποίους κανένα εύρημα δεν ήταν αρκετά κοντά.</translation>
+        <source>Lumps with no finding close enough to count.</source>
+        <translation>Όζοι χωρίς αρκετά κοντινό εύρημα.</translation>
     </message>
     <message>
         <source>False alarms</source>
@@ -2268,11 +2332,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Heaviest found by chance</source>
-        <translation>Εύρεση του βαρύτερου στην τύχη</translation>
+        <translation>Εύρεση του βαρύτερου κατά τύχη</translation>
     </message>
     <message>
         <source>Localisation error by chance</source>
-        <translation>Σφάλμα εντοπισμού στην τύχη</translation>
+        <translation>Σφάλμα εντοπισμού κατά τύχη</translation>
     </message>
     <message>
         <source>How far findings would be from a lump if they hit it at random. A localisation error that is not smaller shows no skill.</source>
@@ -2280,7 +2344,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Hardness order by chance</source>
-        <translation>Σειρά σκληρότητας στην τύχη</translation>
+        <translation>Σειρά σκληρότητας κατά τύχη</translation>
     </message>
     <message>
         <source>The hardness order of somebody who assigns the same hardness ratings to the lumps at random. A share that is not larger shows no skill.</source>
@@ -2288,19 +2352,19 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex error by chance</source>
-        <translation>Σφάλμα κορυφής στην τύχη</translation>
+        <translation>Σφάλμα κορυφής κατά τύχη</translation>
     </message>
     <message>
         <source>Size error by chance</source>
-        <translation>Σφάλμα μεγέθους στην τύχη</translation>
+        <translation>Σφάλμα μεγέθους κατά τύχη</translation>
     </message>
     <message>
         <source>Hardness order</source>
         <translation>Σειρά σκληρότητας</translation>
     </message>
     <message>
-        <source>In how many pairs of lumps found in a trial the harder one was rated harder, in %. Guessing gives 50 % or less.</source>
-        <translation>Σε πόσα ζεύγη όζων που βρέθηκαν σε μια δοκιμή ο σκληρότερος δηλώθηκε σκληρότερος, σε %. Στην τύχη είναι το πολύ 50 %.</translation>
+        <source>How often the harder of two lumps found in a trial was also rated harder, in % of all such pairs. Guessing gives 50 % or less.</source>
+        <translation>Πόσο συχνά ο σκληρότερος από δύο όζους που βρέθηκαν σε μια δοκιμή δηλώθηκε και σκληρότερος, σε % αυτών των ζευγών. Κατά τύχη είναι το πολύ 50 %.</translation>
     </message>
     <message>
         <source>Area covered</source>
@@ -2308,7 +2372,7 @@ Details: %2</source>
     </message>
     <message>
         <source>How much of the search area was pressed hard enough to find something; the mean over the trials.</source>
-        <translation>Πόσο από την περιοχή αναζήτησης πιέστηκε αρκετά δυνατά για να βρεθεί κάτι· μέσος όρος των δοκιμών.</translation>
+        <translation>Πόσο μέρος της περιοχής αναζήτησης πιέστηκε αρκετά δυνατά για να βρεθεί κάτι· μέσος όρος των δοκιμών.</translation>
     </message>
     <message>
         <source>Time in the force band</source>
@@ -2316,7 +2380,7 @@ Details: %2</source>
     </message>
     <message>
         <source>How much of the pressing time the force was neither too low nor too high.</source>
-        <translation>Σε πόσο από τον χρόνο πίεσης η δύναμη δεν ήταν ούτε πολύ μικρή ούτε πολύ μεγάλη.</translation>
+        <translation>Σε πόσο μέρος του χρόνου πίεσης η δύναμη δεν ήταν ούτε πολύ μικρή ούτε πολύ μεγάλη.</translation>
     </message>
     <message>
         <source>Time pressing</source>
@@ -2427,8 +2491,8 @@ Details: %2</source>
         <translation>Μέγιστη απόκλιση ευθυγράμμισης</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
-        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται, και ο δακτύλιος που καθοδηγεί είναι διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: when the two are in line, the wall near the tip is equally wide all round, and a guide ring, where there is one, is drawn double. In a bend the urethra then continues beside the middle of the picture.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: όταν τα δύο ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα και ο δακτύλιος καθοδήγησης, όπου υπάρχει, φαίνεται διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
     </message>
     <message>
         <source>How often somebody who perceives nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
@@ -2685,10 +2749,6 @@ Details: %2</source>
         </translation>
     </message>
     <message>
-        <source>at most about %1 min</source>
-        <translation>το πολύ περίπου %1 λεπτά</translation>
-    </message>
-    <message>
         <source>as long as the answers take</source>
         <translation>όσο διαρκούν οι απαντήσεις</translation>
     </message>
@@ -2763,6 +2823,34 @@ Details: %2</source>
     <message>
         <source>%1 before, %2 after each condition, %3 after</source>
         <translation>%1 πριν, %2 μετά από κάθε συνθήκη, %3 μετά</translation>
+    </message>
+    <message>
+        <source>%1 in each condition, %2 in all</source>
+        <translation>%1 σε κάθε συνθήκη, %2 συνολικά</translation>
+    </message>
+    <message>
+        <source>%1 in all (by condition: %2)</source>
+        <translation>%1 συνολικά (ανά συνθήκη: %2)</translation>
+    </message>
+    <message>
+        <source>instructions, controls, a free minute, practice (%1), then the trials that count</source>
+        <translation>οδηγίες, χειρισμός, ένα ελεύθερο λεπτό, εξάσκηση (%1), έπειτα οι δοκιμές που μετρούν</translation>
+    </message>
+    <message>
+        <source>instructions, controls, a free minute, then the trials that count</source>
+        <translation>οδηγίες, χειρισμός, ένα ελεύθερο λεπτό, έπειτα οι δοκιμές που μετρούν</translation>
+    </message>
+    <message>
+        <source>Sequence in each condition</source>
+        <translation>Σειρά σε κάθε συνθήκη</translation>
+    </message>
+    <message>
+        <source>about %1 min for all trials, if each takes %2 s</source>
+        <translation>περίπου %1 λεπτά για όλες τις δοκιμές, αν η καθεμία διαρκεί %2 s</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 έως %2</translation>
     </message>
 </context>
 <context>
@@ -3066,6 +3154,50 @@ Details: %2</source>
         <source>Press gently and move calmly: a trial in which you press with more than %1, or move faster than %2 per second on average, is repeated.</source>
         <translation>Πιέζετε απαλά και κινείστε ήρεμα: μια δοκιμή στην οποία πιέζετε με πάνω από %1 ή κινείστε κατά μέσο όρο ταχύτερα από %2 ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
     </message>
+    <message>
+        <source>Before that you have a free minute to try the controls, which does not count either.</source>
+        <translation>Πριν από αυτό έχετε ένα ελεύθερο λεπτό για να δοκιμάσετε τον χειρισμό, που επίσης δεν μετρά.</translation>
+    </message>
+    <message>
+        <source>Before the trials you have a free minute to try the controls, which does not count.</source>
+        <translation>Πριν από τις δοκιμές έχετε ένα ελεύθερο λεπτό για να δοκιμάσετε τον χειρισμό, που δεν μετρά.</translation>
+    </message>
+    <message>
+        <source>Move calmly and put objects down gently: a trial in which you press one onto the table with more than %1, or move faster than %2 per second on average, is repeated.</source>
+        <translation>Κινείστε ήρεμα και ακουμπάτε τα αντικείμενα απαλά: μια δοκιμή στην οποία πιέζετε κάποιο στο τραπέζι με πάνω από %1 ή κινείστε κατά μέσο όρο ταχύτερα από %2 ανά δευτερόλεπτο επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>The device pushes back against your hand. You can let go at any time, and the Esc key switches its force off at once.</source>
+        <translation>Η συσκευή πιέζει το χέρι σας. Μπορείτε να την αφήσετε οποτεδήποτε, και το πλήκτρο Esc διακόπτει αμέσως τη δύναμή της.</translation>
+    </message>
+    <message>
+        <source>The device of this station renders no force: you see how objects respond, and nothing pushes against your hand.</source>
+        <translation>Η συσκευή αυτού του σταθμού δεν αποδίδει δύναμη: βλέπετε πώς αντιδρούν τα αντικείμενα, και τίποτα δεν πιέζει το χέρι σας.</translation>
+    </message>
+    <message>
+        <source>Lift every object before you answer.</source>
+        <translation>Σηκώστε κάθε αντικείμενο πριν απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>Pull every object before you answer; the screen says when more force is needed.</source>
+        <translation>Τραβήξτε κάθε αντικείμενο πριν απαντήσετε· η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+    </message>
+    <message>
+        <source>Pull every object before you answer.</source>
+        <translation>Τραβήξτε κάθε αντικείμενο πριν απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>Explore every object before you answer; the screen says when more force is needed.</source>
+        <translation>Εξερευνήστε κάθε αντικείμενο πριν απαντήσετε· η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+    </message>
+    <message>
+        <source>Explore every object before you answer.</source>
+        <translation>Εξερευνήστε κάθε αντικείμενο πριν απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>The device pushes back against your hand, with at most %1. You can let go at any time, and the Esc key switches its force off at once.</source>
+        <translation>Η συσκευή πιέζει το χέρι σας, με το πολύ %1. Μπορείτε να την αφήσετε οποτεδήποτε, και το πλήκτρο Esc διακόπτει αμέσως τη δύναμή της.</translation>
+    </message>
 </context>
 <context>
     <name>PeopleNames</name>
@@ -3192,7 +3324,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The assumed finger</source>
-        <translation>Το υποτιθέμενο δάκτυλο</translation>
+        <translation>Παραδοχή για το δάκτυλο</translation>
     </message>
     <message>
         <source>On other fingers: the true force on the fingertip</source>
@@ -3753,7 +3885,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The run ends when a step would be as small as this.</source>
-        <translation>Η εκτέλεση τελειώνει όταν ένα βήμα θα γινόταν τόσο μικρό.</translation>
+        <translation>Η εκτέλεση τελειώνει όταν το επόμενο βήμα θα ήταν τόσο μικρό.</translation>
     </message>
     <message>
         <source>Largest step</source>
@@ -3881,7 +4013,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Ties (in σ)</source>
-        <translation>Ισοπαλίες (σε σ)</translation>
+        <translation>Ισοβαθμίες (σε σ)</translation>
     </message>
     <message>
         <source>Just noticeable difference</source>
@@ -3936,8 +4068,8 @@ Details: %2</source>
         <translation>Αρχικά ένα πάνω, ένα κάτω</translation>
     </message>
     <message>
-        <source>Right and wrong answers before a step do not count for the next one.</source>
-        <translation>Σωστές και λανθασμένες απαντήσεις πριν από ένα βήμα δεν μετρούν για το επόμενο.</translation>
+        <source>After each step, right and wrong answers are counted from zero.</source>
+        <translation>Μετά από κάθε βήμα η καταμέτρηση σωστών και λανθασμένων απαντήσεων αρχίζει από το μηδέν.</translation>
     </message>
     <message>
         <source>New step size at the reversal</source>
@@ -3957,7 +4089,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Staircase (up–down)</source>
-        <translation>Σκάλα (πάνω–κάτω)</translation>
+        <translation>Κλιμακωτή (πάνω–κάτω)</translation>
     </message>
     <message>
         <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
@@ -4009,7 +4141,7 @@ Details: %2</source>
     </message>
     <message>
         <source>How many of the last reversals are averaged for the staircase&apos;s own estimate; the fit uses all trials.</source>
-        <translation>Πόσων από τις τελευταίες αναστροφές ο μέσος όρος δίνει την εκτίμηση της ίδιας της κλιμακωτής μεθόδου· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
+        <translation>Από πόσες τελευταίες αναστροφές υπολογίζεται ο μέσος όρος που η ίδια η κλιμακωτή μέθοδος δίνει ως εκτίμηση· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
     </message>
     <message>
         <source>Start counting again after each step</source>
@@ -4052,8 +4184,8 @@ Details: %2</source>
         <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
     </message>
     <message>
-        <source>Possible limits: two objects whose felt difference is smaller are called equal. In standard deviations of what is felt.</source>
-        <translation>Πιθανά όρια: δύο αντικείμενα με μικρότερη αισθητή διαφορά θεωρούνται ίσα. Σε τυπικές αποκλίσεις της αίσθησης.</translation>
+        <source>Values of the limit that are considered possible: two objects are called equal when the difference felt is below it. In standard deviations of what is felt.</source>
+        <translation>Τιμές του ορίου που θεωρούνται πιθανές: δύο αντικείμενα θεωρούνται ίσα όταν η διαφορά που γίνεται αισθητή είναι μικρότερη. Σε τυπικές αποκλίσεις της αίσθησης.</translation>
     </message>
     <message>
         <source>The just noticeable difference is assumed to lie between these two values.</source>
@@ -4072,16 +4204,16 @@ Details: %2</source>
         <translation>Το πρώτο ισχύει ως την πρώτη αναστροφή και μετά από κάθε αναστροφή το επόμενο· το τελευταίο παραμένει σε ισχύ.</translation>
     </message>
     <message>
-        <source>In the same order as the steps up; none: the same as the steps up.</source>
-        <translation>Με την ίδια σειρά όπως τα βήματα προς τα πάνω· κανένα: όπως τα βήματα προς τα πάνω.</translation>
-    </message>
-    <message>
         <source>Until the first reversal a single right answer makes the next trial harder, so that the run gets near the threshold sooner.</source>
         <translation>Ως την πρώτη αναστροφή μία σωστή απάντηση αρκεί για να δυσκολέψει η επόμενη δοκιμή, ώστε η εκτέλεση να πλησιάσει νωρίτερα το κατώφλι.</translation>
     </message>
     <message>
         <source>A level ends once the number of right answers differs from the expected one by more than this. Larger values take longer and make the decision more reliable.</source>
         <translation>Ένα επίπεδο τελειώνει μόλις το πλήθος των σωστών απαντήσεων διαφέρει από το αναμενόμενο περισσότερο από αυτή την τιμή. Με μεγαλύτερες τιμές διαρκεί περισσότερο και η απόφαση είναι πιο αξιόπιστη.</translation>
+    </message>
+    <message>
+        <source>In the same order as the steps up. Without an entry, the steps down are as large as the steps up.</source>
+        <translation>Με την ίδια σειρά όπως τα βήματα προς τα πάνω. Χωρίς καταχώριση, τα βήματα προς τα κάτω είναι ίσα με τα βήματα προς τα πάνω.</translation>
     </message>
 </context>
 <context>
@@ -4595,7 +4727,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Line %1: several people had the login name %2 before and nobody has it today, so nobody is changed. Write today&apos;s login name in the list.</source>
-        <translation>Γραμμή %1: το όνομα χρήστη %2 το είχαν παλιότερα περισσότερα άτομα και σήμερα κανείς, γι&apos; αυτό δεν αλλάζει κανείς. Γράψτε στη λίστα το σημερινό όνομα χρήστη.</translation>
+        <translation>Γραμμή %1: το όνομα χρήστη %2 το είχαν παλιότερα πολλά άτομα και σήμερα κανείς, γι&apos; αυτό δεν αλλάζει κανείς. Γράψτε στη λίστα το σημερινό όνομα χρήστη.</translation>
     </message>
     <message>
         <source>Line %1: this is the same person as in line %2, under another login name. Only line %2 counts.</source>
@@ -4620,7 +4752,7 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>The list has the earlier full name %1; the one of today stays.</source>
+        <source>The list has the earlier full name %1; today&apos;s name stays.</source>
         <translation>Η λίστα έχει το παλιότερο ονοματεπώνυμο %1· μένει το σημερινό.</translation>
     </message>
     <message>
@@ -4628,10 +4760,10 @@ Do you want to replace it?</source>
         <translation>Το όνομα %1 θα γίνει %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
+        <source>%n people are listed under an earlier full name and keep today&apos;s name. To give somebody an earlier name back, edit the person.</source>
         <translation>
-            <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
-            <numerusform>%n άτομα είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατούν το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+            <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να επαναφέρετε το παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+            <numerusform>%n άτομα είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατούν το σημερινό. Για να επαναφέρετε ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
         </translation>
     </message>
     <message>
@@ -5124,7 +5256,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Entry in the audit trail</source>
-        <translation>Εγγραφή στο αρχείο ελέγχου</translation>
+        <translation>Εγγραφή στο ημερολόγιο ελέγχου</translation>
     </message>
     <message>
         <source>not written</source>
@@ -5291,17 +5423,17 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
         <translation>
-            <numerusform>Ο βρόχος δεν είναι συνεπής: παραλείφθηκε %n κύκλος. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
-            <numerusform>Ο βρόχος δεν είναι συνεπής: παραλείφθηκαν %n κύκλοι. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+            <numerusform>Ο βρόχος δεν τηρεί τον χρόνο: παραλείφθηκε %n κύκλος. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+            <numerusform>Ο βρόχος δεν τηρεί τον χρόνο: παραλείφθηκαν %n κύκλοι. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
         </translation>
     </message>
     <message>
         <source>The loop runs on time: %1 % of the ticks were late (limit %2 %), and none was skipped.</source>
-        <translation>Ο βρόχος είναι συνεπής: το %1 % των κύκλων καθυστέρησε (όριο %2 %) και κανένας δεν παραλείφθηκε.</translation>
+        <translation>Ο βρόχος τηρεί τον χρόνο: το %1 % των κύκλων καθυστέρησε (όριο %2 %) και κανένας δεν παραλείφθηκε.</translation>
     </message>
     <message>
         <source>The loop does not run on time: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
-        <translation>Ο βρόχος δεν είναι συνεπής: το %1 % των κύκλων καθυστέρησε (όριο %2 %). Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
+        <translation>Ο βρόχος δεν τηρεί τον χρόνο: το %1 % των κύκλων καθυστέρησε (όριο %2 %). Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
     </message>
 </context>
 <context>
@@ -5435,10 +5567,6 @@ Details: %2</source>
         <translation>Πίεση</translation>
     </message>
     <message>
-        <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
-        <translation>Πιέστε την άκρη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
-    </message>
-    <message>
         <source>Click, or press Enter, while the tool is at the place.</source>
         <translation>Κάντε κλικ ή πατήστε Enter όσο το εργαλείο βρίσκεται στο σημείο.</translation>
     </message>
@@ -5483,44 +5611,168 @@ Details: %2</source>
         <translation>Πατήστε τον αριθμό του αντικειμένου: 1 ή 2.</translation>
     </message>
     <message>
-        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
-        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
-    </message>
-    <message>
         <source>Press + and − until both seem the same, then Enter.</source>
         <translation>Πατήστε + και − μέχρι να σας μοιάζουν και τα δύο ίδια, και μετά Enter.</translation>
-    </message>
-    <message>
-        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
-        <translation>Γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για ανέβασμα γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
     </message>
     <message>
         <source>Press 1, 2 or 3 from least to most, with = before one that equals the last, then Enter. Backspace takes the last one back.</source>
         <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο, με = πριν από ένα ίσο με το τελευταίο, και μετά Enter. Το Backspace αναιρεί το τελευταίο.</translation>
     </message>
     <message>
-        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
-        <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν μετράει ως απάντηση.</translation>
-    </message>
-    <message>
-        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. To pull, roll it away from you, or hold Page Up.</source>
-        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για να τραβήξετε, γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
-    </message>
-    <message>
-        <source>Lower the tip into the ring, then raise the handle.</source>
-        <translation>Κατεβάστε την άκρη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή.</translation>
-    </message>
-    <message>
-        <source>To let go, set the object down and press it lightly onto the table, then raise the tool.</source>
-        <translation>Για να αφήσετε το αντικείμενο, ακουμπήστε το και πιέστε το ελαφρά στο τραπέζι, και μετά σηκώστε το εργαλείο.</translation>
-    </message>
-    <message>
-        <source>To let go, lower the tool below the dashed line, then raise it.</source>
-        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο κάτω από τη διακεκομμένη γραμμή και μετά σηκώστε το.</translation>
-    </message>
-    <message>
         <source>To let go, lower the tool %1 mm below the ring, then raise it.</source>
         <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο %1 mm κάτω από τον δακτύλιο και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>To raise the tool, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Για να σηκώσετε το εργαλείο, γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Raise the handle to come off.</source>
+        <translation>Σηκώστε τη λαβή για να απομακρυνθείτε από το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Take hold and lift</source>
+        <translation>Πιάσιμο και ανύψωση</translation>
+    </message>
+    <message>
+        <source>To lift, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Για ανύψωση γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>To lift, raise the handle.</source>
+        <translation>Για ανύψωση σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Put down and let go</source>
+        <translation>Απόθεση και άφημα</translation>
+    </message>
+    <message>
+        <source>To pull, roll the wheel away from you, or hold Page Up.</source>
+        <translation>Για να τραβήξετε, γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>To pull, raise the handle.</source>
+        <translation>Για να τραβήξετε, σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Άφημα</translation>
+    </message>
+    <message>
+        <source>Press lightly and stroke</source>
+        <translation>Ελαφριά πίεση και τρίψιμο</translation>
+    </message>
+    <message>
+        <source>Then move the mouse, or use the arrow keys.</source>
+        <translation>Ύστερα μετακινήστε το ποντίκι ή χρησιμοποιήστε τα βέλη.</translation>
+    </message>
+    <message>
+        <source>Then move it to and fro.</source>
+        <translation>Ύστερα κινήστε την πέρα δώθε.</translation>
+    </message>
+    <message>
+        <source>Move the tool over a ring and lower it into the ring: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Φέρτε το εργαλείο πάνω από έναν δακτύλιο και κατεβάστε το μέσα στον δακτύλιο: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down.</translation>
+    </message>
+    <message>
+        <source>Move the tip over a ring and lower it into the ring.</source>
+        <translation>Φέρτε την άκρη πάνω από έναν δακτύλιο και κατεβάστε την μέσα στον δακτύλιο.</translation>
+    </message>
+    <message>
+        <source>Move the tool over an object and lower it onto the object: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Φέρτε το εργαλείο πάνω από ένα αντικείμενο και κατεβάστε το επάνω στο αντικείμενο: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down.</translation>
+    </message>
+    <message>
+        <source>Move the tip over an object and push it gently into the object.</source>
+        <translation>Φέρτε την άκρη πάνω από ένα αντικείμενο και πιέστε την απαλά μέσα στο αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool below the dashed line (roll the wheel towards you, or hold Page Down), then raise it.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο κάτω από τη διακεκομμένη γραμμή (γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down) και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tip below the dashed line, then raise it.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε την άκρη κάτω από τη διακεκομμένη γραμμή και μετά σηκώστε την.</translation>
+    </message>
+    <message>
+        <source>Lift it off the table: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Σηκώστε το από το τραπέζι: γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Lift it off the table.</source>
+        <translation>Σηκώστε το από το τραπέζι.</translation>
+    </message>
+    <message>
+        <source>You are holding the object.</source>
+        <translation>Κρατάτε το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>You are holding object %1.</source>
+        <translation>Κρατάτε το αντικείμενο %1.</translation>
+    </message>
+    <message>
+        <source>To put it down, lower it to the table: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Για να το αφήσετε, κατεβάστε το στο τραπέζι: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down.</translation>
+    </message>
+    <message>
+        <source>To put it down, lower it to the table.</source>
+        <translation>Για να το αφήσετε, κατεβάστε το στο τραπέζι.</translation>
+    </message>
+    <message>
+        <source>You are lifting the object.</source>
+        <translation>Σηκώνετε το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>You are lifting object %1.</source>
+        <translation>Σηκώνετε το αντικείμενο %1.</translation>
+    </message>
+    <message>
+        <source>The object stands on the table, and you still hold it.</source>
+        <translation>Το αντικείμενο στέκεται στο τραπέζι και το κρατάτε ακόμη.</translation>
+    </message>
+    <message>
+        <source>Object %1 stands on the table, and you still hold it.</source>
+        <translation>Το αντικείμενο %1 στέκεται στο τραπέζι και το κρατάτε ακόμη.</translation>
+    </message>
+    <message>
+        <source>Now raise the tool: the object stays on the table.</source>
+        <translation>Τώρα σηκώστε το εργαλείο: το αντικείμενο μένει στο τραπέζι.</translation>
+    </message>
+    <message>
+        <source>Now raise the tool: object %1 stays on the table.</source>
+        <translation>Τώρα σηκώστε το εργαλείο: το αντικείμενο %1 μένει στο τραπέζι.</translation>
+    </message>
+    <message>
+        <source>Without a wheel, hold the right mouse button or Shift and move the mouse forward to raise the tool, back to lower it. %1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and does not count as an answer.</source>
+        <translation>Χωρίς τροχό, κρατήστε το δεξί κουμπί του ποντικιού ή το Shift και μετακινήστε το ποντίκι εμπρός για να σηκώσετε το εργαλείο και πίσω για να το κατεβάσετε. %1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν μετράει ως απάντηση.</translation>
+    </message>
+    <message>
+        <source>Lift the tool off.</source>
+        <translation>Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Raise the tool.</source>
+        <translation>Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Raise the handle.</source>
+        <translation>Σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>To put the object down, roll the wheel towards you, or hold Page Down, until the object stands on the table, and at least %1 mm further. Then raise the tool: the object stays there.</source>
+        <translation>Για να αφήσετε το αντικείμενο, γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down, ώσπου το αντικείμενο να σταθεί στο τραπέζι και τουλάχιστον %1 mm ακόμη. Ύστερα σηκώστε το εργαλείο: το αντικείμενο μένει εκεί.</translation>
+    </message>
+    <message>
+        <source>To put the object down, lower it onto the table and press it on with at least %1 N. Then raise the handle: the object stays there.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το στο τραπέζι και πιέστε το με τουλάχιστον %1 N. Ύστερα σηκώστε τη λαβή: το αντικείμενο μένει εκεί.</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool at least %1 mm further, then raise it.</source>
+        <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το εργαλείο τουλάχιστον %1 mm ακόμη και μετά σηκώστε το.</translation>
+    </message>
+    <message>
+        <source>To let go, press it onto the table with at least %1 N, then raise the handle.</source>
+        <translation>Για να το αφήσετε, πιέστε το στο τραπέζι με τουλάχιστον %1 N και μετά σηκώστε τη λαβή.</translation>
     </message>
 </context>
 <context>
@@ -5751,7 +6003,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Nobody has done this condition yet.</source>
-        <translation>Κανείς δεν έκανε ακόμη αυτή τη συνθήκη.</translation>
+        <translation>Κανείς δεν έχει εκτελέσει ακόμη αυτή τη συνθήκη.</translation>
     </message>
     <message>
         <source>Weber fraction of the group</source>
@@ -6088,10 +6340,6 @@ Details: %2</source>
         </translation>
     </message>
     <message>
-        <source>The group contains only simulated participants.</source>
-        <translation>Η ομάδα αποτελείται μόνο από προσομοιωμένους συμμετέχοντες.</translation>
-    </message>
-    <message>
         <source>%1 (p &lt; %2)</source>
         <translation>%1 (p &lt; %2)</translation>
     </message>
@@ -6335,13 +6583,6 @@ Details: %2</source>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Ένας συμμετέχων δεν είναι ομάδα: δεν υπάρχει διάστημα.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
-        <translation>
-            <numerusform>%n συμμετέχων της ομάδας προσομοιώθηκε χωρίς απόδοση: γνώριζε τις τιμές και δεν αισθάνθηκε τίποτα.</numerusform>
-            <numerusform>%n συμμετέχοντες της ομάδας προσομοιώθηκαν χωρίς απόδοση: γνώριζαν τις τιμές και δεν αισθάνθηκαν τίποτα.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The sphere has no radius above zero.</source>
         <translation>Η σφαίρα δεν έχει ακτίνα πάνω από το μηδέν.</translation>
@@ -6447,13 +6688,6 @@ Details: %2</source>
             <numerusform>%n συμμετέχοντες παραλείπονται από την ομάδα: είδαν μόνο τα αντικείμενα, δεν τα αισθάνθηκαν.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
-        <translation>
-            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντα που είδε μόνο τα αντικείμενα, δεν τα αισθάνθηκε.</numerusform>
-            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντες που είδαν μόνο τα αντικείμενα, δεν τα αισθάνθηκαν.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Ratio</source>
         <translation>Λόγος</translation>
@@ -6491,8 +6725,8 @@ Details: %2</source>
         <translation>Κάθε απάντηση όριζε τι ακολουθούσε, άρα οι δοκιμές ενός ατόμου δεν είναι ανεξάρτητες: δεν έχουν διάστημα ούτε p.</translation>
     </message>
     <message>
-        <source>W of the group, 95 % over its participants: %1</source>
-        <translation>W της ομάδας, 95 % στους συμμετέχοντες: %1</translation>
+        <source>95 % interval for W of the group, from its participants: %1</source>
+        <translation>Διάστημα 95 % για το W της ομάδας, υπολογισμένο στους συμμετέχοντες: %1</translation>
     </message>
     <message>
         <source>How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.</source>
@@ -6517,10 +6751,6 @@ Details: %2</source>
     <message>
         <source>There is no group value: nobody takes part.</source>
         <translation>Δεν υπάρχει τιμή ομάδας: δεν συμμετέχει κανείς.</translation>
-    </message>
-    <message>
-        <source>There is no group value yet: nobody has given a usable one.</source>
-        <translation>Δεν υπάρχει ακόμη τιμή ομάδας: κανείς δεν έχει δώσει αξιοποιήσιμη τιμή.</translation>
     </message>
     <message>
         <source>The group value includes everybody who takes part.</source>
@@ -6607,8 +6837,8 @@ Details: %2</source>
         <translation>Μέχρι τώρα έχουν εγγραφεί %1 από τους %2 συμμετέχοντες που σχεδιάστηκαν. Εγγράψτε τους υπόλοιπους στη σελίδα της μελέτης.</translation>
     </message>
     <message>
-        <source>%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.</source>
-        <translation>%1: στην τιμή της ομάδας με εκτέλεση που δεν τελείωσε, άρα η τιμή μπορεί να αλλάξει. Συνεχίστε την εκτέλεση στη «Διεξαγωγή».</translation>
+        <source>%1: the group value includes a run that is not finished, so it may still change. Resume the run under Run.</source>
+        <translation>%1: η τιμή της ομάδας περιλαμβάνει μια εκτέλεση που δεν τελείωσε, άρα μπορεί να αλλάξει. Συνεχίστε την εκτέλεση στη «Διεξαγωγή».</translation>
     </message>
     <message>
         <source>no: %1</source>
@@ -6648,7 +6878,7 @@ Details: %2</source>
     </message>
     <message>
         <source>“%1” and “%2” are not compared: their values cannot be set against each other.</source>
-        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται: οι τιμές τους δεν μπορούν να αντιπαρατεθούν.</translation>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται: οι τιμές τους δεν είναι συγκρίσιμες.</translation>
     </message>
     <message>
         <source>“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a value in “%4” alone.</source>
@@ -6659,7 +6889,7 @@ Details: %2</source>
         <translation>Οι συνθήκες «%1» και «%2» έχουν λόγο, αλλά όχι διάστημα ούτε p: κάθε ομάδα χρειάζεται τουλάχιστον δύο άτομα, και αυτές έχουν %3 και %4.</translation>
     </message>
     <message>
-        <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
+        <source>%1 is not in this comparison: it compares two separate groups, and %1 has a value in both “%2” and “%3”.</source>
         <translation>%1: δεν περιλαμβάνεται σε αυτή τη σύγκριση, που γίνεται ανάμεσα σε δύο ομάδες, ενώ ο κωδικός %1 έχει τιμή και στη «%2» και στη «%3».</translation>
     </message>
     <message>
@@ -6671,12 +6901,12 @@ Details: %2</source>
         <translation>δύο ομάδες: %1 και %2</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who have a value in both conditions if there are at least two, otherwise of two groups, each with a value in only one of the two. Adjusted: for this number of comparisons (Holm).</source>
-        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· από τα άτομα που έχουν τιμή και στις δύο συνθήκες αν είναι τουλάχιστον δύο, αλλιώς από δύο ομάδες, η καθεμιά με τιμή σε μία μόνο από τις δύο. Προσαρμοσμένο: για αυτόν τον αριθμό συγκρίσεων (Holm).</translation>
+        <source>Ratio of the Weber fractions; 1 means that both are alike. It comes from the people who have a value in both conditions if there are at least two of them, otherwise from two groups, each with a value in only one condition. Adjusted: for this number of comparisons (Holm).</source>
+        <translation>Λόγος των κλασμάτων Weber· το 1 σημαίνει ότι είναι ίδια. Υπολογίζεται από τα άτομα που έχουν τιμή και στις δύο συνθήκες αν είναι τουλάχιστον δύο, αλλιώς από δύο ομάδες, η καθεμιά με τιμή σε μία μόνο συνθήκη. Προσαρμοσμένο: για αυτόν τον αριθμό συγκρίσεων (Holm).</translation>
     </message>
     <message>
-        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
-        <translation>Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δίνεται μόνο όπου τα ίδια άτομα απάντησαν και στις δύο και οι απαντήσεις δεν επέλεξαν τις διαφορές: μετά από προσαρμοστικές εκτελέσεις η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
+        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and the differences did not depend on the answers: after adaptive runs a fitted slope is biased, and p would be too small.</source>
+        <translation>Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δίνεται μόνο όπου τα ίδια άτομα απάντησαν και στις δύο και οι διαφορές δεν εξαρτώνταν από τις απαντήσεις: μετά από προσαρμοστικές εκτελέσεις η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
@@ -6691,7 +6921,7 @@ Details: %2</source>
     </message>
     <message>
         <source>%1: the answers are no better than guessing, so the threshold may lie far above the largest difference presented. Check that the task was understood.</source>
-        <translation>%1: οι απαντήσεις δεν είναι καλύτερες από τυχαίες, άρα το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο.</translation>
+        <translation>%1: οι απαντήσεις δεν είναι καλύτερες από τυχαίες, άρα το κατώφλι μπορεί να είναι πολύ πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό τι ζητείται.</translation>
     </message>
     <message>
         <source>%1: the answers do not rule out a threshold far above the largest difference presented.</source>
@@ -6738,7 +6968,7 @@ Details: %2</source>
         <translation>Συγκρίνονται και στις δύο συνθήκες: %1.</translation>
     </message>
     <message>
-        <source>No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).</source>
+        <source>The values show no difference between “%1” and “%2” (ratio %3, 95 % interval: %4; %5).</source>
         <translation>Δεν φαίνεται διαφορά μεταξύ «%1» και «%2» (λόγος %3, διάστημα 95 %: %4· %5).</translation>
     </message>
     <message>
@@ -6760,10 +6990,6 @@ Details: %2</source>
     <message>
         <source>%1: the answers do not rule out a threshold far below the smallest difference presented, nor one far above the largest.</source>
         <translation>%1: οι απαντήσεις δεν αποκλείουν ούτε κατώφλι πολύ κάτω από τη μικρότερη διαφορά που παρουσιάστηκε ούτε κατώφλι πολύ πάνω από τη μεγαλύτερη.</translation>
-    </message>
-    <message>
-        <source>There are too few answers to measure the threshold: copy the study and plan more trials.</source>
-        <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί το κατώφλι: αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές.</translation>
     </message>
     <message>
         <source>The study&apos;s table has larger differences, which were not presented. To measure the threshold, copy the study and plan more trials or a larger first difference.</source>
@@ -6824,6 +7050,80 @@ Details: %2</source>
     <message>
         <source>There are too few answers to say whether they are better than guessing. More trials would show it.</source>
         <translation>Οι απαντήσεις είναι πολύ λίγες για να φανεί αν είναι καλύτερες από τυχαίες. Περισσότερες δοκιμές θα το έδειχναν.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 participants (%3)</source>
+        <translation>%1 από %2 συμμετέχοντες (%3)</translation>
+    </message>
+    <message>
+        <source>Test: paired t test on the log Weber fractions (df = %1; random effects with the Hartung–Knapp correction, which weights participants by the precision of their values).</source>
+        <translation>Έλεγχος: t για εξαρτημένα δείγματα στους λογαρίθμους των κλασμάτων Weber (df = %1· τυχαίες επιδράσεις με διόρθωση Hartung–Knapp, που σταθμίζει τους συμμετέχοντες ανάλογα με την ακρίβεια των τιμών τους).</translation>
+    </message>
+    <message>
+        <source>Test: Welch&apos;s t test on the log Weber fractions of two independent groups (random effects with the Hartung–Knapp correction in each).</source>
+        <translation>Έλεγχος: t του Welch στους λογαρίθμους των κλασμάτων Weber δύο ανεξάρτητων ομάδων (τυχαίες επιδράσεις με διόρθωση Hartung–Knapp σε καθεμία).</translation>
+    </message>
+    <message>
+        <source>“%1”: Weber fraction %2, of one participant.</source>
+        <translation>«%1»: κλάσμα Weber %2, ενός συμμετέχοντος.</translation>
+    </message>
+    <message>
+        <source>“%1”: Weber fraction %2 (95 % interval: %3), of %4 participants.</source>
+        <translation>«%1»: κλάσμα Weber %2 (διάστημα 95 %: %3), από %4 συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>There is no group value yet: no participant&apos;s run is included so far.</source>
+        <translation>Δεν υπάρχει ακόμη τιμή ομάδας: προς το παρόν δεν περιλαμβάνεται εκτέλεση κανενός συμμετέχοντα.</translation>
+    </message>
+    <message>
+        <source>Fewer than 20 answers rarely measure a threshold.</source>
+        <translation>Λιγότερες από 20 απαντήσεις σπάνια αρκούν για τη μέτρηση ενός κατωφλίου.</translation>
+    </message>
+    <message>
+        <source>There are too few answers to measure the threshold.</source>
+        <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Copy the study and plan more trials: its page Expected precision shows with how many most runs give a value.</source>
+        <translation>Αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές: η σελίδα της «Αναμενόμενη ακρίβεια» δείχνει με πόσες οι περισσότερες εκτελέσεις δίνουν τιμή.</translation>
+    </message>
+    <message>
+        <source>How many participants are needed cannot be told from so few: the page Expected precision of the study tells it for the planned trials.</source>
+        <translation>Από τόσο λίγους δεν προκύπτει πόσοι συμμετέχοντες χρειάζονται: το δείχνει η σελίδα «Αναμενόμενη ακρίβεια» της μελέτης για τις προβλεπόμενες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>πάνω από %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>περίπου %1</translation>
+    </message>
+    <message>
+        <source>If others scatter as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <translation>Αν η διασπορά των υπολοίπων είναι όπως αυτών, χρειάζονται %1 συμμετέχοντες και στις δύο συνθήκες, για να βρεθεί με ισχύ 80 % κλάσμα Weber %2 φορές το άλλο.</translation>
+    </message>
+    <message>
+        <source>If others scatter as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <translation>Αν η διασπορά των υπολοίπων είναι όπως αυτών, χρειάζονται %1 συμμετέχοντες σε κάθε ομάδα, για να βρεθεί με ισχύ 80 % κλάσμα Weber %2 φορές το άλλο.</translation>
+    </message>
+    <message>
+        <source>All participants here are simulated.</source>
+        <translation>Όλοι οι συμμετέχοντες εδώ είναι προσομοιωμένοι.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) were simulated without rendering: the observers knew the values and felt nothing.</source>
+        <translation>
+            <numerusform>%n συμμετέχων προσομοιώθηκε χωρίς απόδοση: ο παρατηρητής γνώριζε τις τιμές και δεν ένιωθε τίποτα.</numerusform>
+            <numerusform>%n συμμετέχοντες προσομοιώθηκαν χωρίς απόδοση: οι παρατηρητές γνώριζαν τις τιμές και δεν ένιωθαν τίποτα.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Objects were shown to %n participant(s), not felt. Such runs are included on purpose: each counts in the group if its answers give a value.</source>
+        <translation>
+            <numerusform>Σε %n συμμετέχοντα τα αντικείμενα προβλήθηκαν χωρίς να γίνουν αισθητά. Τέτοιες εκτελέσεις περιλαμβάνονται σκόπιμα: καθεμία μετράει στην ομάδα, αν οι απαντήσεις της δίνουν τιμή.</numerusform>
+            <numerusform>Σε %n συμμετέχοντες τα αντικείμενα προβλήθηκαν χωρίς να γίνουν αισθητά. Τέτοιες εκτελέσεις περιλαμβάνονται σκόπιμα: καθεμία μετράει στην ομάδα, αν οι απαντήσεις της δίνουν τιμή.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7159,6 +7459,126 @@ Details: %2</source>
         <source>Interrupted</source>
         <translation>Διακόπηκε</translation>
     </message>
+    <message>
+        <source>softness, hardness, compliance, elasticity, spring</source>
+        <translation>μαλακότητα, σκληρότητα, ενδοτικότητα, ελαστικότητα, ελατήριο</translation>
+    </message>
+    <message>
+        <source>weight, heaviness, lifting</source>
+        <translation>βάρος, ανύψωση</translation>
+    </message>
+    <message>
+        <source>recovery, relaxation, softness</source>
+        <translation>επαναφορά, χαλάρωση, μαλακότητα</translation>
+    </message>
+    <message>
+        <source>texture, smoothness</source>
+        <translation>υφή, λειότητα</translation>
+    </message>
+    <message>
+        <source>slipperiness, stickiness, sliding</source>
+        <translation>ολισθηρότητα, κολλώδες, ολίσθηση</translation>
+    </message>
+    <message>
+        <source>damping, resistance</source>
+        <translation>απόσβεση, αντίσταση</translation>
+    </message>
+    <message>
+        <source>localisation, position, highest point, shape</source>
+        <translation>εντοπισμός, θέση, υψηλότερο σημείο, σχήμα</translation>
+    </message>
+    <message>
+        <source>ordering, sorting</source>
+        <translation>διάταξη, ταξινόμηση</translation>
+    </message>
+    <message>
+        <source>2AFC, 2IFC, two-alternative forced choice, comparison, discrimination</source>
+        <translation>2AFC, 2IFC, αναγκαστική επιλογή μεταξύ δύο, σύγκριση, διάκριση</translation>
+    </message>
+    <message>
+        <source>3AFC, three-alternative forced choice, discrimination</source>
+        <translation>3AFC, αναγκαστική επιλογή μεταξύ τριών, διάκριση</translation>
+    </message>
+    <message>
+        <source>oddity, triangle test, discrimination</source>
+        <translation>oddity, τριγωνική δοκιμή, διάκριση</translation>
+    </message>
+    <message>
+        <source>same-different, AX, discrimination</source>
+        <translation>ίδιο-διαφορετικό, AX, διάκριση</translation>
+    </message>
+    <message>
+        <source>yes-no, single stimulus</source>
+        <translation>ναι-όχι, μεμονωμένο ερέθισμα</translation>
+    </message>
+    <message>
+        <source>matching, point of subjective equality, PSE</source>
+        <translation>αντιστοίχιση, σημείο υποκειμενικής ισότητας, PSE</translation>
+    </message>
+    <message>
+        <source>scaling, rating, power law</source>
+        <translation>κλιμάκωση, εκτίμηση μεγέθους, νόμος δύναμης</translation>
+    </message>
+    <message>
+        <source>1 condition, one condition</source>
+        <translation>1 συνθήκη, μία συνθήκη</translation>
+    </message>
+    <message>
+        <source>two conditions, comparison of conditions</source>
+        <translation>δύο συνθήκες, σύγκριση συνθηκών</translation>
+    </message>
+    <message>
+        <source>three conditions, comparison of conditions</source>
+        <translation>τρεις συνθήκες, σύγκριση συνθηκών</translation>
+    </message>
+    <message>
+        <source>%1 conditions</source>
+        <translation>%1 συνθήκες</translation>
+    </message>
+    <message>
+        <source>1 attribute, one attribute</source>
+        <translation>1 ιδιότητα, μία ιδιότητα</translation>
+    </message>
+    <message>
+        <source>two attributes, comparison of attributes</source>
+        <translation>δύο ιδιότητες, σύγκριση ιδιοτήτων</translation>
+    </message>
+    <message>
+        <source>three attributes, comparison of attributes</source>
+        <translation>τρεις ιδιότητες, σύγκριση ιδιοτήτων</translation>
+    </message>
+    <message>
+        <source>%1 attributes</source>
+        <translation>%1 ιδιότητες</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>το %1 είναι %2</translation>
+    </message>
+    <message>
+        <source>%1 is unlike the others</source>
+        <translation>το %1 διαφέρει από τα άλλα</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>ίδια</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>διαφορετικά</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>όχι</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ναι</translation>
+    </message>
+    <message>
+        <source>both are the same</source>
+        <translation>και τα δύο είναι ίδια</translation>
+    </message>
 </context>
 <context>
     <name>TextClaims</name>
@@ -7235,19 +7655,19 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, σύρσιμο με το δεξί κουμπί ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, σύρσιμο με το δεξί κουμπί ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, σύρσιμο με το δεξί κουμπί ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, σύρσιμο με το δεξί κουμπί ή Page Down και Page Up. Κλείσιμο σιαγόνων: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>You move the right instrument (1)</source>
@@ -7263,7 +7683,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση ευρήματος: κλικ ή Enter.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, σύρσιμο με το δεξί κουμπί ή Page Down και Page Up. Σημείωση ευρήματος: κλικ ή Enter.</translation>
     </message>
     <message>
         <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
@@ -7591,7 +8011,7 @@ Recording and scores are kept but do not count.</source>
         <translation>Δημιουργία κωδικού ανάκτησης …</translation>
     </message>
     <message>
-        <source>It could not be read whether you have one.
+        <source>The program could not read whether you have a recovery code.
 %1</source>
         <translation>Δεν ήταν δυνατό να διαβαστεί αν έχετε κωδικό ανάκτησης.
 %1</translation>
@@ -7800,7 +8220,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     <name>chiron::desktop::ApexPage</name>
     <message>
         <source>Nobody has done this condition yet. Each participant&apos;s marks will appear here after the first run.</source>
-        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημεία κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
+        <translation>Κανείς δεν έχει εκτελέσει ακόμη αυτή τη συνθήκη. Τα σημεία κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -7985,6 +8405,10 @@ Administrators can make a recovery code for themselves here; with it they can se
         <source>Break time</source>
         <translation>Χρόνος διαλείμματος</translation>
     </message>
+    <message>
+        <source>Enter or Space: read on</source>
+        <translation>Enter ή Διάστημα: συνέχεια ανάγνωσης</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::CheckList</name>
@@ -8156,7 +8580,7 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation>Αξιολογήθηκε, τίποτα να προστεθεί</translation>
+        <translation>Αξιολογήθηκε, χωρίς προσθήκη</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
@@ -8215,7 +8639,7 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     </message>
     <message>
         <source>Received and written</source>
-        <translation>Ληφθέντα και γραμμένα</translation>
+        <translation>Όσα λάβατε και όσα γράψατε</translation>
     </message>
     <message>
         <source>Received</source>
@@ -8488,6 +8912,10 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <source>Remove the last procedure</source>
         <translation>Αφαίρεση της τελευταίας διαδικασίας</translation>
     </message>
+    <message>
+        <source>Together they have at most %1 trials.</source>
+        <translation>Μαζί έχουν το πολύ %1 δοκιμές.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ConsentDialog</name>
@@ -8528,6 +8956,10 @@ Each leads to its moment in the playback, or to the debrief where it is about th
     <message>
         <source>The time is recorded, and a checksum (SHA-256) that shows which text you have read. You may withdraw at any time.</source>
         <translation>Καταγράφονται η ώρα και ένα άθροισμα ελέγχου (SHA-256) που δείχνει ποιο κείμενο διαβάσατε. Μπορείτε να αποσυρθείτε οποτεδήποτε.</translation>
+    </message>
+    <message>
+        <source>Tick the box first, once the participant agrees.</source>
+        <translation>Τσεκάρετε πρώτα το πλαίσιο, όταν συμφωνήσει το άτομο που συμμετέχει.</translation>
     </message>
 </context>
 <context>
@@ -8739,7 +9171,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 &quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric with what it means.</source>
         <translation>Το αποτέλεσμα αυτής της συνεδρίας.
 
-Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και για πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
+Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και κατά πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
 
 Το «Δείτε τη χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» δημιουργεί ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις και τι σημαίνει η καθεμία.</translation>
     </message>
@@ -8776,8 +9208,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Ακυρώθηκε στις %1 από %2: %3</translation>
     </message>
     <message>
-        <source>Counted again on %1 by %2: %3</source>
-        <translation>Μετράει ξανά από %1, με απόφαση από %2: %3</translation>
+        <source>Set to count again on %1 by %2: %3</source>
+        <translation>Μετράει ξανά από τις %1, με απόφαση από %2: %3</translation>
     </message>
     <message>
         <source>Start a session that counts</source>
@@ -8820,7 +9252,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>The session is listed as simulated and does not count for anyone.</source>
-        <translation>Η συνεδρία καταχωρίζεται ως προσομοιωμένη και δεν βαθμολογεί κανέναν.</translation>
+        <translation>Η συνεδρία καταχωρίζεται ως προσομοιωμένη και δεν μετράει για κανέναν.</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -8915,8 +9347,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Αλλάξτε τις μία μία ή επικολλήστε τις από πίνακα· οι αριθμοί μπορούν να έχουν τελεία ή υποδιαστολή με κόμμα.</translation>
     </message>
     <message>
-        <source>%1 % less than the reference is less than nothing.</source>
-        <translation>%1 % λιγότερο από την αναφορά είναι λιγότερο από το τίποτα.</translation>
+        <source>%1 % less than the reference would be below zero.</source>
+        <translation>%1 % λιγότερο από την αναφορά θα ήταν κάτω από το μηδέν.</translation>
     </message>
     <message>
         <source>How many differences there are to choose from. Each object is larger than the one before by the same factor.</source>
@@ -9024,6 +9456,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
         <translation>Κανείς δεν έχει λογαριασμό με το όνομα χρήστη «%1». Κανείς δεν εγγράφηκε. Διορθώστε το όνομα ή αφήστε το πεδίο κενό.</translation>
     </message>
+    <message>
+        <source>Enter an identity first, or a login name.</source>
+        <translation>Εισαγάγετε πρώτα ταυτότητα ή όνομα χρήστη.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -9037,7 +9473,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>Overwritten: name, code, password, comments and reasons in free text.</source>
-        <translation>Αντικαθίστανται: όνομα, ψευδώνυμο, κωδικός πρόσβασης, σχόλια και αιτιολογίες σε ελεύθερο κείμενο.</translation>
+        <translation>Σβήνονται οριστικά: όνομα, ψευδώνυμο, κωδικός πρόσβασης, σχόλια και αιτιολογίες σε ελεύθερο κείμενο.</translation>
     </message>
     <message>
         <source>Kept without a name: sessions, scores, and a note of when and why the person was erased. Earlier backups still contain the person until they are deleted; restoring one erases the person again.</source>
@@ -9045,7 +9481,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>Consent is withdrawn: overwrite the recordings too</source>
-        <translation>Η συγκατάθεση ανακλήθηκε: να αντικατασταθούν και οι καταγραφές</translation>
+        <translation>Η συγκατάθεση ανακλήθηκε: να σβηστούν και οι καταγραφές</translation>
     </message>
     <message>
         <source>Type the login name to confirm: %1</source>
@@ -9060,14 +9496,14 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν μπορείτε να διαγράψετε τον εαυτό σας και δεν πρέπει να υπάρχει συνεδρία σε εξέλιξη.</translation>
     </message>
     <message>
-        <source>This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is erased with &quot;Erase a participant&quot;.</source>
-        <translation>Εδώ διαγράφεται ένας λογαριασμός, μαζί με το ποιος ήταν το πρόσωπο στις μελέτες που το κλειδί τους κατονομάζει τον λογαριασμό. Όποιος είναι γνωστός μόνο με κωδικό διαγράφεται με το «Διαγραφή συμμετέχοντα».</translation>
+        <source>This erases an account, and the identity of the person in studies whose key table lists the account. A participant who is known only by a code is erased with &quot;Erase a participant&quot;.</source>
+        <translation>Εδώ διαγράφονται ένας λογαριασμός και η ταυτότητα του προσώπου στις μελέτες που ο πίνακας κλειδιών τους αναφέρει τον λογαριασμό. Όποιος είναι γνωστός μόνο με κωδικό διαγράφεται με το «Διαγραφή συμμετέχοντα».</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::EraseParticipantDialog</name>
     <message>
-        <source>Erase a participant of a study</source>
+        <source>Erase a study participant</source>
         <translation>Διαγραφή στοιχείων συμμετέχοντα σε μελέτη</translation>
     </message>
     <message>
@@ -9094,11 +9530,11 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
-        <translation>Αντικαθίστανται: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια, τα σχόλια στις συνεδρίες του και, όπως ζήτησε, οι καταγραφές. Διατηρούνται με τον κωδικό: εκτελέσεις και δοκιμές.</translation>
+        <translation>Σβήνονται οριστικά: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια, τα σχόλια στις συνεδρίες του και, όπως ζήτησε, οι καταγραφές. Διατηρούνται με τον κωδικό: εκτελέσεις και δοκιμές.</translation>
     </message>
     <message>
         <source>Overwritten: who the participant was, the answers to questionnaires and comments on their sessions. Kept under the code: runs, trials and recordings; the participant did not ask for the recordings to be erased.</source>
-        <translation>Αντικαθίστανται: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια και τα σχόλια στις συνεδρίες του. Διατηρούνται με τον κωδικό: εκτελέσεις, δοκιμές και καταγραφές· δεν ζητήθηκε η διαγραφή των καταγραφών.</translation>
+        <translation>Σβήνονται οριστικά: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια και τα σχόλια στις συνεδρίες του. Διατηρούνται με τον κωδικό: εκτελέσεις, δοκιμές και καταγραφές· δεν ζητήθηκε η διαγραφή των καταγραφών.</translation>
     </message>
     <message>
         <source>%1 was erased. Runs and trials are kept under the code.</source>
@@ -9109,8 +9545,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν πρέπει να υπάρχει συνεδρία του συμμετέχοντα σε εξέλιξη.</translation>
     </message>
     <message>
-        <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
-        <translation>Εδώ διαγράφεται ποιος βρίσκεται πίσω από τον κωδικό σε μία μελέτη· ένας λογαριασμός του ίδιου προσώπου παραμένει. Για να διαγράψετε λογαριασμό, επιλέξτε το πρόσωπο στον κατάλογο και πατήστε «Διαγραφή στοιχείων».</translation>
+        <source>This erases the identity behind the code in one study; if the same person has an account, it stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
+        <translation>Εδώ διαγράφεται η ταυτότητα πίσω από τον κωδικό σε μία μελέτη· αν το ίδιο πρόσωπο έχει λογαριασμό, αυτός παραμένει. Για να διαγράψετε λογαριασμό, επιλέξτε το πρόσωπο στον κατάλογο και πατήστε «Διαγραφή στοιχείων».</translation>
     </message>
     <message>
         <source>No participant who has withdrawn is waiting to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
@@ -9230,7 +9666,7 @@ Everything is already chosen: press Start (or Enter) to begin. Choose another le
 Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Εδώ βλέπετε τι ζητά μια άσκηση, τι μετράται και πότε υπάρχει επιτυχία.
 
-Όλα είναι ήδη επιλεγμένα: πατήστε «Έναρξη» (ή Enter) για να ξεκινήσετε. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν εικονικό χειριστή· η συνεδρία του δεν βαθμολογεί κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
+Όλα είναι ήδη επιλεγμένα: πατήστε «Έναρξη» (ή Enter) για να ξεκινήσετε. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν εικονικό χειριστή· η συνεδρία του δεν μετράει για κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
 
 Το «Χέρι και χώρος εργασίας» ορίζει με ποιο χέρι εργάζεστε, πόσο κινείται το εργαλείο ως προς το χέρι σας και πού είναι το κέντρο του πεδίου. Μια εξοικείωση καταγράφεται, αλλά δεν μετράει ποτέ.</translation>
     </message>
@@ -9721,10 +10157,6 @@ Press again to end the trial without it.</source>
         <translation>Αριθμός συμμετεχόντων</translation>
     </message>
     <message>
-        <source>Aim</source>
-        <translation>Σκοπός</translation>
-    </message>
-    <message>
         <source>Source of the design</source>
         <translation>Πηγή του σχεδίου</translation>
     </message>
@@ -9739,10 +10171,6 @@ Press again to end the trial without it.</source>
     <message>
         <source>For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference.</source>
         <translation>Για παράδειγμα: αν σωλήνες 60 N/m και 120 N/m έχουν το ίδιο κλάσμα Weber. Δεν αναμένουμε διαφορά.</translation>
-    </message>
-    <message>
-        <source>Ethics and consent</source>
-        <translation>Δεοντολογία και συγκατάθεση</translation>
     </message>
     <message>
         <source>Ethics approval</source>
@@ -9777,8 +10205,16 @@ Press again to end the trial without it.</source>
         <translation>Το όνομα της μελέτης σε λίστες, αναφορές και εξαγωγές.</translation>
     </message>
     <message>
-        <source>How many people are to take part; Preview shows which difference this number can detect.</source>
-        <translation>Πόσα άτομα θα συμμετάσχουν· η προεπισκόπηση δείχνει ποια διαφορά ανιχνεύεται με αυτόν τον αριθμό.</translation>
+        <source>Aim and ethics</source>
+        <translation>Σκοπός και δεοντολογία</translation>
+    </message>
+    <message>
+        <source>How many people are to take part; the page Expected precision shows which difference this number can detect.</source>
+        <translation>Πόσα άτομα θα λάβουν μέρος· η σελίδα «Αναμενόμενη ακρίβεια» δείχνει ποια διαφορά μπορεί να ανιχνεύσει ο αριθμός αυτός.</translation>
+    </message>
+    <message>
+        <source>Consent and source</source>
+        <translation>Συγκατάθεση και πηγή</translation>
     </message>
 </context>
 <context>
@@ -10022,11 +10458,11 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Met: pass mark %1</source>
-        <translation>Εντός: όριο επιτυχίας %1</translation>
+        <translation>Επετεύχθη: όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>Not met: pass mark %1</source>
-        <translation>Εκτός: όριο επιτυχίας %1</translation>
+        <translation>Δεν επετεύχθη: όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>Benchmark %1 (%2)</source>
@@ -10164,8 +10600,8 @@ Press again to end the trial without it.</source>
     <message numerus="yes">
         <source>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were kept and can be played back. The session does not count.</source>
         <translation>
-            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως διακοπείσα: %n δείγμα διατηρείται και μπορεί να αναπαραχθεί. Η συνεδρία δεν μετράει.</numerusform>
-            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως διακοπείσα: %n δείγματα διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει.</numerusform>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως «Διακόπηκε»: %n δείγμα διατηρείται και μπορεί να αναπαραχθεί. Η συνεδρία δεν μετράει.</numerusform>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως «Διακόπηκε»: %n δείγματα διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει.</numerusform>
         </translation>
     </message>
     <message>
@@ -10197,8 +10633,8 @@ Press again to end the trial without it.</source>
         <translation>Διεξαγωγή</translation>
     </message>
     <message>
-        <source>Guide a participant through a study, by code and in their own order. Interrupted runs continue where they stopped.</source>
-        <translation>Οδηγήστε έναν συμμετέχοντα σε μια μελέτη, με κωδικό και στη δική του σειρά. Όσες εκτελέσεις διακόπηκαν συνεχίζονται από εκεί που σταμάτησαν.</translation>
+        <source>Guide a participant through a study by code, in the order set for them. Interrupted runs continue where they stopped.</source>
+        <translation>Οδηγήστε έναν συμμετέχοντα σε μια μελέτη με τον κωδικό του και με τη σειρά που του έχει οριστεί. Όσες εκτελέσεις διακόπηκαν συνεχίζονται από εκεί που σταμάτησαν.</translation>
     </message>
     <message>
         <source>Run a study</source>
@@ -10307,7 +10743,7 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     </message>
     <message>
         <source>Comments, received and written</source>
-        <translation>Σχόλια, ληφθέντα και γραμμένα</translation>
+        <translation>Σχόλια που λάβατε και που γράψατε</translation>
     </message>
     <message>
         <source>%1 answered your comment on session %2 (%3, level %4).</source>
@@ -10503,7 +10939,7 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     </message>
     <message>
         <source>Opening this table is recorded in the audit trail.</source>
-        <translation>Το άνοιγμα αυτού του πίνακα καταγράφεται στο ίχνος ελέγχου.</translation>
+        <translation>Το άνοιγμα αυτού του πίνακα καταγράφεται στο ημερολόγιο ελέγχου.</translation>
     </message>
     <message>
         <source>Code</source>
@@ -10998,7 +11434,7 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Δώστε στη μελέτη κλειδί.</translation>
     </message>
     <message>
-        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <source>Use only lower-case letters, digits and _, and begin with a letter.</source>
         <translation>Χρησιμοποιήστε μόνο πεζά λατινικά γράμματα, ψηφία και _, με γράμμα στην αρχή.</translation>
     </message>
     <message>
@@ -11012,10 +11448,6 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <message>
         <source>Find a template</source>
         <translation>Αναζήτηση προτύπου</translation>
-    </message>
-    <message>
-        <source>Attribute, task, procedure or author</source>
-        <translation>Ιδιότητα, έργο, διαδικασία ή συγγραφέας</translation>
     </message>
     <message>
         <source>No template matches “%1”. Try fewer or other words.</source>
@@ -11032,6 +11464,22 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <message>
         <source>One condition, stiffness. %1</source>
         <translation>Μία συνθήκη, δυσκαμψία. %1</translation>
+    </message>
+    <message>
+        <source>For example: 2AFC, weight, two conditions, Watson</source>
+        <translation>Για παράδειγμα: 2AFC, βάρος, δύο συνθήκες, Watson</translation>
+    </message>
+    <message>
+        <source>Conditions: %1</source>
+        <translation>Συνθήκες: %1</translation>
+    </message>
+    <message>
+        <source>The templates are being read.</source>
+        <translation>Τα πρότυπα διαβάζονται.</translation>
+    </message>
+    <message>
+        <source>Choose what to begin with first.</source>
+        <translation>Επιλέξτε πρώτα από τι θα ξεκινήσετε.</translation>
     </message>
 </context>
 <context>
@@ -11483,7 +11931,7 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Code %1: what researchers see in the place of the name.</source>
+        <source>Code %1: what researchers see in place of the name.</source>
         <translation>Ψευδώνυμο %1: αυτό βλέπουν οι ερευνητές αντί για το όνομα.</translation>
     </message>
     <message>
@@ -11527,7 +11975,7 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Έως %1: %2</translation>
     </message>
     <message>
-        <source>Erase a participant of a study</source>
+        <source>Erase a study participant</source>
         <translation>Διαγραφή στοιχείων συμμετέχοντα σε μελέτη</translation>
     </message>
     <message>
@@ -11539,16 +11987,16 @@ Choose a person in the list, then an action below it. Changing roles and disabli
 
 &quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
 
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study and need not have an account.</source>
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study, even if they have no account.</source>
         <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
 
-Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
+Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και μπορούν να αναιρεθούν. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
 
 Η «Επεξεργασία» αλλάζει το όνομα ή το όνομα χρήστη ενός ατόμου· τα προηγούμενα μένουν στο ιστορικό.
 
 Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV όπως το αποθηκεύει ένα πρόγραμμα υπολογιστικών φύλλων, με επικεφαλίδες όπως Όνομα χρήστη, Πλήρες όνομα και Ρόλος (η «Αποθήκευση προτύπου» φτιάχνει ένα τέτοιο), και δείχνει πρώτα τι θα κάνει: γίνονται όλα όσα γράφει το αρχείο ή τίποτα. Για τα νέα άτομα δημιουργούνται κωδικοί πρόσβασης, που τυπώνονται σε σημειώματα.
 
-Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου. Η «Διαγραφή συμμετέχοντα» κάνει το ίδιο για όποιον αποσύρθηκε από μελέτη και δεν χρειάζεται να έχει λογαριασμό.</translation>
+Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου. Η «Διαγραφή συμμετέχοντα» κάνει το ίδιο για όποιον αποσύρθηκε από μελέτη, ακόμη κι αν δεν έχει λογαριασμό.</translation>
     </message>
     <message>
         <source>Erase a participant …</source>
@@ -11567,8 +12015,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Εισαγωγή λίστας …</translation>
     </message>
     <message>
-        <source>Permanently removes the identity of somebody who took part in a study and need not have an account here.</source>
-        <translation>Αφαιρεί οριστικά την ταυτότητα κάποιου που συμμετείχε σε μελέτη και δεν χρειάζεται να έχει λογαριασμό εδώ.</translation>
+        <source>Permanently removes the identity of somebody who took part in a study, even if they have no account here.</source>
+        <translation>Αφαιρεί οριστικά την ταυτότητα κάποιου που συμμετείχε σε μελέτη, ακόμη κι αν δεν έχει λογαριασμό εδώ.</translation>
     </message>
     <message>
         <source>Permanently removes the identity of the person who is chosen in the list.</source>
@@ -11685,12 +12133,24 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Η πιλοτική δοκιμή δεν μπόρεσε να αρχίσει.
 %1</translation>
     </message>
+    <message>
+        <source>Tick the box first: whoever tries it must agree.</source>
+        <translation>Τσεκάρετε πρώτα το πλαίσιο: όποιος τη δοκιμάζει πρέπει να συμφωνεί.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlacesView</name>
     <message>
         <source>Objects to explore</source>
         <translation>Αντικείμενα προς εξερεύνηση</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Limit: %1 N</source>
+        <translation>Όριο: %1 N</translation>
     </message>
 </context>
 <context>
@@ -12162,12 +12622,12 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Η συνεδρία %1 ακυρώθηκε. Η καταγραφή της διατηρείται· δεν μετράει πλέον.</translation>
     </message>
     <message>
-        <source>The comment is saved. %1 is told of it on Home.</source>
-        <translation>Το σχόλιο αποθηκεύτηκε. Ο/Η %1 τον βλέπει στην «Αρχική».</translation>
+        <source>The comment is saved. %1 will see it on Home.</source>
+        <translation>Το σχόλιο αποθηκεύτηκε. Ο/Η %1 θα το δει στην «Αρχική».</translation>
     </message>
     <message>
-        <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται αξιολογημένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
+        <source>The comment is saved, and the session counts as reviewed. %1 will see it on Home.</source>
+        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται αξιολογημένη. Ο/Η %1 θα το δει στην «Αρχική».</translation>
     </message>
     <message>
         <source>This session was void and counts again. The debrief says who decided it and why.</source>
@@ -12182,7 +12642,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Να μετράει ξανά …</translation>
     </message>
     <message>
-        <source>Session %1 counts again. That it was void stays on record.</source>
+        <source>Session %1 counts again. Its history still shows that it was void.</source>
         <translation>Η συνεδρία %1 μετράει ξανά. Η ακύρωσή της παραμένει καταγεγραμμένη.</translation>
     </message>
     <message>
@@ -12197,10 +12657,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message>
-        <source>Simulated observers run through the study without haptic rendering. Their true values are known, so bias and precision can be estimated before the first participant.</source>
-        <translation>Προσομοιωμένοι παρατηρητές εκτελούν τη μελέτη, χωρίς απτική απόδοση. Οι αληθινές τιμές τους είναι γνωστές, ώστε μεροληψία και ακρίβεια να εκτιμηθούν πριν από τον πρώτο συμμετέχοντα.</translation>
-    </message>
-    <message>
         <source>Their Weber fraction</source>
         <translation>Το κλάσμα Weber τους</translation>
     </message>
@@ -12209,20 +12665,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Ποσοστό αβλεψιών</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Προεπισκόπηση</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Άκυρο</translation>
-    </message>
-    <message>
-        <source>Progress of the preview</source>
-        <translation>Πρόοδος της προεπισκόπησης</translation>
-    </message>
-    <message>
-        <source>The preview failed. %1</source>
-        <translation>Η προεπισκόπηση απέτυχε. %1</translation>
     </message>
     <message>
         <source>expected bias of the Weber fraction</source>
@@ -12231,14 +12675,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>precision: SD of one run, as a factor</source>
         <translation>ακρίβεια: SD μίας εκτέλεσης, ως παράγοντας</translation>
-    </message>
-    <message>
-        <source>trials</source>
-        <translation>δοκιμές</translation>
-    </message>
-    <message>
-        <source>minutes, breaks included</source>
-        <translation>λεπτά, με διαλείμματα</translation>
     </message>
     <message>
         <source>95 % intervals that contain the true value</source>
@@ -12274,10 +12710,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>Equality threshold (σ)</source>
         <translation>Κατώφλι ισότητας (σ)</translation>
-    </message>
-    <message>
-        <source>While the study is blinded, its conditions and the preview are sealed. Only the study&apos;s author can run a preview.</source>
-        <translation>Όσο η μελέτη είναι τυφλή, οι συνθήκες και η προεπισκόπηση είναι σφραγισμένες. Μόνο ο συντάκτης της μπορεί να κάνει προεπισκόπηση.</translation>
     </message>
     <message>
         <source>Runs per condition</source>
@@ -12375,20 +12807,48 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Πόσο συχνά πρέπει να βρίσκεται μια υπαρκτή διαφορά.</translation>
     </message>
     <message>
-        <source>smallest ratio detectable with %1 power and %2 participants who do both conditions</source>
-        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 και %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
-    </message>
-    <message>
-        <source>smallest ratio detectable with %1 power and two groups of %2 participants</source>
-        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 και δύο ομάδες των %2 συμμετεχόντων</translation>
-    </message>
-    <message>
         <source>The just noticeable difference of these observers, as a share of the reference.</source>
         <translation>Η ελάχιστη αντιληπτή διαφορά αυτών των παρατηρητών, ως ποσοστό της αναφοράς.</translation>
     </message>
     <message>
         <source>Participants (with two groups: in each)</source>
         <translation>Συμμετέχοντες (με δύο ομάδες: ανά ομάδα)</translation>
+    </message>
+    <message>
+        <source>While the study is blinded, its conditions and their expected precision are sealed. Only the study&apos;s author can estimate it.</source>
+        <translation>Όσο η μελέτη είναι τυφλή, οι συνθήκες της και η αναμενόμενη ακρίβειά τους είναι σφραγισμένες. Μόνο όποιος δημιούργησε τη μελέτη μπορεί να την εκτιμήσει.</translation>
+    </message>
+    <message>
+        <source>The program calculates how precise the results will be: simulated observers, whose true values are known, run through the study without haptic rendering. They are no participants, and nothing of it is stored as data. To see the study as a participant does, use Pilot run under Check and freeze.</source>
+        <translation>Το πρόγραμμα υπολογίζει πόσο ακριβή θα είναι τα αποτελέσματα: προσομοιωμένοι παρατηρητές, με γνωστές πραγματικές τιμές, διατρέχουν τη μελέτη χωρίς απτική απόδοση. Δεν είναι συμμετέχοντες, και τίποτα δεν αποθηκεύεται ως δεδομένα. Για να δείτε τη μελέτη όπως τη βλέπει ένας συμμετέχων, ξεκινήστε πιλοτική δοκιμή στη σελίδα «Έλεγχος και οριστικοποίηση».</translation>
+    </message>
+    <message>
+        <source>Estimate the precision</source>
+        <translation>Εκτίμηση της ακρίβειας</translation>
+    </message>
+    <message>
+        <source>Progress of the simulation</source>
+        <translation>Πρόοδος της προσομοίωσης</translation>
+    </message>
+    <message>
+        <source>The precision could not be estimated. %1</source>
+        <translation>Η ακρίβεια δεν ήταν δυνατό να εκτιμηθεί. %1</translation>
+    </message>
+    <message>
+        <source>trials of one run of this condition</source>
+        <translation>δοκιμές μίας εκτέλεσης αυτής της συνθήκης</translation>
+    </message>
+    <message>
+        <source>minutes of one run, breaks included</source>
+        <translation>λεπτά μίας εκτέλεσης, με τα διαλείμματα</translation>
+    </message>
+    <message>
+        <source>smallest ratio of two conditions&apos; Weber fractions that is found with %1 power and %2 participants who do both conditions</source>
+        <translation>μικρότερος λόγος των κλασμάτων Weber δύο συνθηκών που βρίσκεται με ισχύ %1 και %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
+    </message>
+    <message>
+        <source>smallest ratio of two conditions&apos; Weber fractions that is found with %1 power and two groups of %2 participants</source>
+        <translation>μικρότερος λόγος των κλασμάτων Weber δύο συνθηκών που βρίσκεται με ισχύ %1 και δύο ομάδες των %2 συμμετεχόντων</translation>
     </message>
 </context>
 <context>
@@ -12517,7 +12977,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>Not every level passed</source>
-        <translation>Όχι όλα τα επίπεδα επιτυχή</translation>
+        <translation>Δεν έχουν περάσει όλα τα επίπεδα</translation>
     </message>
     <message>
         <source>Clear the filters</source>
@@ -12559,7 +13019,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Δεν υπάρχουν ακόμη εκπαιδευόμενοι</translation>
     </message>
     <message>
-        <source>As soon as an administrator has added trainees under People, they are listed here, also before they have trained.</source>
+        <source>As soon as an administrator has added trainees under People, they are listed here, even before they have trained.</source>
         <translation>Μόλις ένας διαχειριστής προσθέσει εκπαιδευόμενους στα «Άτομα», εμφανίζονται εδώ, ακόμη και πριν εκπαιδευτούν.</translation>
     </message>
     <message>
@@ -12580,7 +13040,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>How far each person of the group is.
 
-A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
+A row is a person. Under each exercise you see the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
 
 The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
 
@@ -12589,7 +13049,7 @@ Choose a cell with the arrow keys and press Enter to see the sessions of that pe
 
 Κάθε γραμμή είναι ένα άτομο. Κάτω από κάθε άσκηση βρίσκεται το χαμηλότερο επίπεδο που το άτομο δεν έχει περάσει ή «Όλα επιτυχή»· ένας σταυρός δείχνει επίπεδο που έχει ήδη δοκιμάσει. Η «Τελευταία συνεδρία» λέει πότε εκπαιδεύτηκε τελευταία φορά και το «Προς αξιολόγηση» πόσες συνεδρίες του περιμένουν τη δική σας αξιολόγηση. Η γραμμή κάτω από τον πίνακα λέει περισσότερα για το επιλεγμένο κελί: πού βρίσκεται το άτομο σε κάθε επίπεδο μιας άσκησης ή, στο όνομα, τι του προτείνει στη συνέχεια το πρόγραμμα. Οι εκπαιδευόμενοι με απενεργοποιημένο λογαριασμό δεν εμφανίζονται.
 
-Το πρόγραμμα δεν τηρεί λίστες ομάδων: γράψτε περισσότερα ονόματα με κόμμα ανάμεσά τους για να δείτε μόνο αυτά τα άτομα. Η διπλανή λίστα αφήνει μόνο όσους δεν έχουν εκπαιδευτεί για κάποιο διάστημα ή δεν τα έχουν περάσει όλα.
+Το πρόγραμμα δεν τηρεί λίστες ομάδων: γράψτε μερικά ονόματα με κόμμα ανάμεσά τους για να δείτε μόνο αυτά τα άτομα. Η διπλανή λίστα αφήνει μόνο όσους δεν έχουν εκπαιδευτεί για κάποιο διάστημα ή δεν τα έχουν περάσει όλα.
 
 Επιλέξτε ένα κελί με τα βέλη και πατήστε Enter για να δείτε τις συνεδρίες αυτού του ατόμου σε αυτή την άσκηση.</translation>
     </message>
@@ -12766,7 +13226,7 @@ Choose a cell with the arrow keys and press Enter to see the sessions of that pe
     </message>
     <message>
         <source>Each participant answers a questionnaire once.</source>
-        <translation>Κάθε συμμετέχων απαντά ένα ερωτηματολόγιο μία φορά.</translation>
+        <translation>Κάθε συμμετέχων απαντά σε ένα ερωτηματολόγιο μία φορά.</translation>
     </message>
     <message>
         <source>Back</source>
@@ -13125,7 +13585,7 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     </message>
     <message>
         <source>Trend towards the true order; guessing gives %1 on average.</source>
-        <translation>Τάση προς την πραγματική σειρά· στην τύχη δίνει κατά μέσο όρο %1.</translation>
+        <translation>Τάση προς την πραγματική σειρά· με τυχαίες απαντήσεις η μέση τιμή είναι %1.</translation>
     </message>
     <message>
         <source>Worth of each object</source>
@@ -13513,18 +13973,18 @@ Keep it as safe as your keys.</source>
     </message>
     <message>
         <source>The backup has a different administrator or password. Enter those of the backup, too.</source>
-        <translation>Το αντίγραφο ασφαλείας έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και του αντιγράφου.</translation>
+        <translation>Το αντίγραφο ασφαλείας έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και τα στοιχεία του αντιγράφου.</translation>
     </message>
     <message>
         <source>The damaged file has a different administrator or password. Enter those, too.</source>
-        <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και αυτά.</translation>
+        <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και τα στοιχεία του αρχείου.</translation>
     </message>
     <message>
         <source>A backup keeps the login names and passwords of the day it was made. If yours have been changed since, enter the earlier ones.</source>
         <translation>Ένα αντίγραφο ασφαλείας κρατά τα ονόματα χρήστη και τους κωδικούς πρόσβασης της ημέρας που έγινε. Αν τα δικά σας έχουν αλλάξει από τότε, δώστε τα προηγούμενα.</translation>
     </message>
     <message>
-        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place unasked.</source>
+        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place without permission.</source>
         <translation>Το κατεστραμμένο αρχείο έχει ακόμη τα ονόματα χρήστη και τους κωδικούς πρόσβασης της τελευταίας του ημέρας. Όπου διαβάζονται, πρέπει να συμφωνήσει ένας διαχειριστής του, ώστε κανείς να μη βάλει χωρίς άδεια ένα παλιό αντίγραφο στη θέση του.</translation>
     </message>
     <message>
@@ -13771,7 +14231,7 @@ Details: %1</source>
     </message>
     <message>
         <source>Writing your data …</source>
-        <translation>Εγγραφή των δεδομένων σας …</translation>
+        <translation>Αποθήκευση των δεδομένων σας …</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13779,11 +14239,11 @@ Details: %1</source>
     </message>
     <message>
         <source>Your data was written to %1.</source>
-        <translation>Τα δεδομένα σας γράφτηκαν στο %1.</translation>
+        <translation>Τα δεδομένα σας αποθηκεύτηκαν στο %1.</translation>
     </message>
     <message>
         <source>Your data could not be written completely.</source>
-        <translation>Τα δεδομένα σας δεν γράφτηκαν ολόκληρα.</translation>
+        <translation>Τα δεδομένα σας δεν αποθηκεύτηκαν πλήρως.</translation>
     </message>
     <message>
         <source>Results of %1</source>
@@ -13811,7 +14271,7 @@ Details: %1</source>
 Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Enter or double-click to open an attempt.</source>
         <translation>Τα αποτελέσματα ενός ατόμου.
 
-Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· προσπάθειες με δύναμη που γίνεται αισθητή και με δύναμη που μόνο εμφανίζεται δεν συγκρίνονται ποτέ. Με Enter ή διπλό κλικ ανοίγει μια προσπάθεια.</translation>
+Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· προσπάθειες με αισθητή δύναμη και προσπάθειες με δύναμη που μόνο προβάλλεται δεν συγκρίνονται ποτέ. Με Enter ή διπλό κλικ ανοίγει μια προσπάθεια.</translation>
     </message>
     <message>
         <source>All your sessions, and your progress.
@@ -14080,7 +14540,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Ανατροφοδότηση</translation>
     </message>
     <message>
-        <source>Participants are told after each trial how well they did. It changes what is measured.</source>
+        <source>Participants are told after each trial how well they did. This feedback changes what is measured.</source>
         <translation>Οι συμμετέχοντες μαθαίνουν μετά από κάθε δοκιμή πόσο καλά τα πήγαν. Αυτό αλλάζει ό,τι μετριέται.</translation>
     </message>
     <message>
@@ -14263,6 +14723,44 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <source>How far the measured force may be from the commanded one (root mean square).</source>
         <translation>Πόσο μπορεί να απέχει η μετρημένη δύναμη από τη ζητούμενη (τετραγωνικός μέσος).</translation>
     </message>
+    <message>
+        <source>%1: as many trials as the answers need</source>
+        <translation>%1: όσες δοκιμές απαιτούν οι απαντήσεις</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: %n δοκιμή που μετράει</numerusform>
+            <numerusform>%1: %n δοκιμές που μετράνε</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: at most %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: το πολύ %n δοκιμή που μετράει</numerusform>
+            <numerusform>%1: το πολύ %n δοκιμές που μετράνε</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Number of trials</source>
+        <translation>Αριθμός δοκιμών</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Εμφάνιση</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Αλλαγή</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Αλλαγή: %1</translation>
+    </message>
+    <message>
+        <source>The procedure of each condition sets this number, on the page Conditions. Practice and repeated trials are not included.</source>
+        <translation>Τον αριθμό αυτόν τον ορίζει η διαδικασία κάθε συνθήκης, στη σελίδα «Συνθήκες». Οι δοκιμές εξάσκησης και οι επαναλήψεις δεν περιλαμβάνονται.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RunScreen</name>
@@ -14385,6 +14883,34 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>Go on with %1</source>
         <translation>Συνέχεια με %1</translation>
+    </message>
+    <message>
+        <source>%1 has nothing left to do.</source>
+        <translation>Για %1 δεν απομένει τίποτα.</translation>
+    </message>
+    <message>
+        <source>%1 comes next and is selected.</source>
+        <translation>Ακολουθεί %1, και έχει επιλεγεί.</translation>
+    </message>
+    <message>
+        <source>%1 has nothing left to do. %2 comes next.</source>
+        <translation>Για %1 δεν απομένει τίποτα. Ακολουθεί %2.</translation>
+    </message>
+    <message>
+        <source>Nobody who is enrolled has anything left to do. Enrol the next participant.</source>
+        <translation>Για κανέναν εγγεγραμμένο δεν απομένει τίποτα. Εγγράψτε το επόμενο άτομο.</translation>
+    </message>
+    <message>
+        <source>Nobody who is enrolled has anything left to do.</source>
+        <translation>Για κανέναν εγγεγραμμένο δεν απομένει τίποτα.</translation>
+    </message>
+    <message>
+        <source>Sequence in each condition: %1.</source>
+        <translation>Σειρά σε κάθε συνθήκη: %1.</translation>
+    </message>
+    <message>
+        <source>If %1 does not come back, go on with somebody else. The trials that were done are kept, and count if they suffice for a value. The run can be resumed later. To take %1 out of the study, withdraw them on the study&apos;s page of participants.</source>
+        <translation>Αν δεν επιστρέψει το άτομο με κωδικό %1, συνεχίστε με κάποιο άλλο. Οι δοκιμές που έγιναν διατηρούνται και μετρούν, αν επαρκούν για μια τιμή. Η εκτέλεση μπορεί να συνεχιστεί αργότερα. Για να φύγει το %1 από τη μελέτη, αποσύρετέ το στη σελίδα συμμετεχόντων της μελέτης.</translation>
     </message>
 </context>
 <context>
@@ -14588,7 +15114,7 @@ An interrupted run resumes at the trial where it stopped.</source>
     </message>
     <message>
         <source>Pass marks met: %1.</source>
-        <translation>Όρια επιτυχίας που επιτεύχθηκαν: %1.</translation>
+        <translation>Όρια επιτυχίας που επετεύχθησαν: %1.</translation>
     </message>
     <message>
         <source>Session %1. %2</source>
@@ -14756,7 +15282,7 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Η συνεδρία %1 παραμένει ακυρωμένη.</translation>
     </message>
     <message>
-        <source>Session %1 counts again. That it was void stays on record.</source>
+        <source>Session %1 counts again. Its history still shows that it was void.</source>
         <translation>Η συνεδρία %1 μετράει ξανά. Η ακύρωσή της παραμένει καταγεγραμμένη.</translation>
     </message>
     <message>
@@ -14846,10 +15372,6 @@ Press Enter or double-click to open the debrief of the selected session, Ctrl+P 
         <translation>Μια προειδοποίηση πάνω από το όριο</translation>
     </message>
     <message>
-        <source>A brighter tone when force is tilted</source>
-        <translation>Λαμπρότερος τόνος σε λοξή δύναμη</translation>
-    </message>
-    <message>
         <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
         <translation>Ό,τι ακούγεται φαίνεται και στην οθόνη. Η δύναμη πίσω του καταγράφεται και με τον ήχο κλειστό.</translation>
     </message>
@@ -14864,6 +15386,10 @@ Administrators also give the site its name here.</source>
 Κάθε επιλογή ισχύει αμέσως και μένει σε αυτόν τον υπολογιστή. Τίποτα εδώ δεν αλλάζει όσα καταγράφονται ή τη βαθμολόγησή τους.
 
 Οι διαχειριστές δίνουν εδώ και το όνομα του κέντρου.</translation>
+    </message>
+    <message>
+        <source>A brighter tone the more the force leans</source>
+        <translation>Οξύτερος τόνος σε λοξή δύναμη</translation>
     </message>
 </context>
 <context>
@@ -14937,8 +15463,8 @@ Administrators also give the site its name here.</source>
         <translation>Όνομα του κέντρου, π.χ. της κλινικής (προαιρετικό)</translation>
     </message>
     <message>
-        <source>Everybody sees it at the login, on password slips and at the top of reports. A change stands in the audit trail.</source>
-        <translation>Όλοι το βλέπουν στη σύνδεση, στα σημειώματα κωδικών και στην κορυφή των αναφορών. Κάθε αλλαγή σημειώνεται στο αρχείο ελέγχου.</translation>
+        <source>Everybody sees it at the login, on password slips and at the top of reports. Each change is recorded in the audit trail.</source>
+        <translation>Όλοι το βλέπουν στη σύνδεση, στα σημειώματα κωδικών και στην κορυφή των αναφορών. Κάθε αλλαγή σημειώνεται στο ημερολόγιο ελέγχου.</translation>
     </message>
     <message>
         <source>Save the site&apos;s name</source>
@@ -15150,10 +15676,6 @@ Administrators also give the site its name here.</source>
         <translation>Συσκευές</translation>
     </message>
     <message>
-        <source>No haptic device is connected: this version does not have a driver for one yet.</source>
-        <translation>Δεν είναι συνδεδεμένη απτική συσκευή: αυτή η έκδοση δεν έχει ακόμη πρόγραμμα οδήγησης γι’ αυτήν.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Ελεύθερος χώρος</translation>
     </message>
@@ -15199,7 +15721,7 @@ Administrators also give the site its name here.</source>
     </message>
     <message>
         <source>The check could not be written to the audit trail.</source>
-        <translation>Ο έλεγχος δεν ήταν δυνατό να γραφτεί στο αρχείο ελέγχου.</translation>
+        <translation>Ο έλεγχος δεν ήταν δυνατό να γραφτεί στο ημερολόγιο ελέγχου.</translation>
     </message>
     <message>
         <source>Simulated fingertip platform</source>
@@ -15219,11 +15741,11 @@ The fingertip platform is verified as in its publication: how closely it follows
 With real-time priority the loop stays on time whatever else the computer does. This screen shows whether the loop has that priority and how to permit it.</source>
         <translation>Δείχνει αν αυτός ο υπολογιστής είναι αρκετά γρήγορος και σταθερός για απτική δύναμη.
 
-Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά ξεκίνησαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που εκτελέστηκε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
+Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν με πόση καθυστέρηση ξεκίνησαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που εκτελέστηκε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
 
-Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
+Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο ημερολόγιο ελέγχου και το πρακτικό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
 
-Με προτεραιότητα πραγματικού χρόνου ο βρόχος παραμένει έγκαιρος ό,τι κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει αυτή την προτεραιότητα και πώς επιτρέπεται.</translation>
+Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο ό,τι κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει αυτή την προτεραιότητα και πώς επιτρέπεται.</translation>
     </message>
     <message>
         <source>Record (PDF) …</source>
@@ -15231,7 +15753,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>Record of the self-test (PDF)</source>
-        <translation>Αρχείο του αυτοελέγχου (PDF)</translation>
+        <translation>Πρακτικό του αυτοελέγχου (PDF)</translation>
     </message>
     <message>
         <source>Station check.pdf</source>
@@ -15240,6 +15762,10 @@ With real-time priority the loop stays on time whatever else the computer does. 
     <message>
         <source>A researcher or an administrator can run it here.</source>
         <translation>Ένας ερευνητής ή διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
+    </message>
+    <message>
+        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices on a network or serial line was tested against an emulation.</source>
+        <translation>Σε αυτή την έκδοση δεν έχει συνδεθεί ακόμη απτική συσκευή κατασκευαστή: το πρόγραμμα οδήγησης για συσκευές σε δίκτυο ή σειριακή γραμμή δοκιμάστηκε με εξομοίωση.</translation>
     </message>
 </context>
 <context>
@@ -15401,11 +15927,11 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>The backup is made and checked: %1 in %2.</source>
-        <translation>Το αντίγραφο ασφαλείας δημιουργήθηκε και ελέγχθηκε: %1 σε %2.</translation>
+        <translation>Το αντίγραφο ασφαλείας δημιουργήθηκε και ελέγχθηκε: %1 στο %2.</translation>
     </message>
     <message>
         <source>The site is exported and checked: %1 in %2.</source>
-        <translation>Το κέντρο εξήχθη και ελέγχθηκε: %1 σε %2.</translation>
+        <translation>Η εξαγωγή του κέντρου έγινε και ελέγχθηκε: %1 στο %2.</translation>
     </message>
     <message>
         <source>The backup was stopped; nothing was saved.</source>
@@ -15954,10 +16480,6 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Ερωτήσεις</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Προεπισκόπηση</translation>
-    </message>
-    <message>
         <source>Participants</source>
         <translation>Συμμετέχοντες</translation>
     </message>
@@ -16090,14 +16612,6 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
-
-Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με Επόμενο και Πίσω ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
-
-Οι Συνθήκες ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Προεπισκόπηση εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο Έλεγχος και οριστικοποίηση λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
-    </message>
-    <message>
         <source>Aim</source>
         <translation>Σκοπός</translation>
     </message>
@@ -16141,8 +16655,36 @@ Conditions defines what is compared, with which task and procedure. Preview runs
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
     </message>
     <message>
-        <source>The preview was stopped because you left its page, and nothing of it was kept. Press Preview there to calculate it again.</source>
-        <translation>Η προεπισκόπηση σταμάτησε επειδή φύγατε από τη σελίδα της και δεν διατηρήθηκε τίποτα. Πατήστε εκεί «Προεπισκόπηση» για νέο υπολογισμό.</translation>
+        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+
+Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με Επόμενο και Πίσω ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
+
+Οι Συνθήκες ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Αναμενόμενη ακρίβεια εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο Έλεγχος και οριστικοποίηση λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
+    </message>
+    <message>
+        <source>Expected precision</source>
+        <translation>Αναμενόμενη ακρίβεια</translation>
+    </message>
+    <message>
+        <source>Needed before it can be frozen: %1</source>
+        <translation>Χρειάζεται πριν από την οριστικοποίηση: %1</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Επόμενο: %1</translation>
+    </message>
+    <message>
+        <source>Next: correct “%1”</source>
+        <translation>Επόμενο: διόρθωση «%1»</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press Estimate the precision there to calculate it again.</source>
+        <translation>Η προσομοίωση διακόπηκε, επειδή φύγατε από τη σελίδα της, και τίποτα δεν διατηρήθηκε. Πατήστε εκεί «Εκτίμηση της ακρίβειας», για να υπολογιστεί ξανά.</translation>
+    </message>
+    <message>
+        <source>cannot be frozen before the entries marked in red are corrected</source>
+        <translation>δεν μπορεί να οριστικοποιηθεί πριν διορθωθούν οι καταχωρίσεις με κόκκινο</translation>
     </message>
 </context>
 <context>
@@ -16596,10 +17138,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Συμμετέχων %1 · εξάσκηση</translation>
     </message>
     <message>
-        <source>The next objects are coming. Lift the tool off.</source>
-        <translation>Έρχονται τα επόμενα αντικείμενα. Σηκώστε το εργαλείο.</translation>
-    </message>
-    <message>
         <source>Correct.</source>
         <translation>Σωστά.</translation>
     </message>
@@ -16643,18 +17181,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Διακοπή της συνεδρίας;</translation>
     </message>
     <message>
-        <source>All answered trials are kept. The run continues later at the same trial.</source>
-        <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται αργότερα από την ίδια δοκιμή.</translation>
-    </message>
-    <message>
-        <source>Keep going</source>
-        <translation>Συνέχεια</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Διακοπή</translation>
-    </message>
-    <message>
         <source>This condition is completed.</source>
         <translation>Η συνθήκη ολοκληρώθηκε.</translation>
     </message>
@@ -16679,28 +17205,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Χρόνος εξερεύνησης</translation>
     </message>
     <message>
-        <source>Stop force</source>
-        <translation>Διακοπή δύναμης</translation>
-    </message>
-    <message>
-        <source>Re-arm force</source>
-        <translation>Ενεργοποίηση δύναμης</translation>
-    </message>
-    <message>
-        <source>The next sphere is coming. Lift the tool off.</source>
-        <translation>Έρχεται η επόμενη σφαίρα. Σηκώστε το εργαλείο.</translation>
-    </message>
-    <message>
         <source>%1 mm from the highest point.</source>
         <translation>%1 mm από το ψηλότερο σημείο.</translation>
     </message>
     <message>
         <source>Click or press Enter at the highest point.</source>
         <translation>Κάντε κλικ ή πατήστε Enter στο ψηλότερο σημείο.</translation>
-    </message>
-    <message>
-        <source>Force is stopped</source>
-        <translation>Η δύναμη σταμάτησε</translation>
     </message>
     <message>
         <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
@@ -16814,10 +17324,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Το ελεύθερο λεπτό τελείωσε</translation>
     </message>
     <message>
-        <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
-        <translation>Αρκετές φορές στη σειρά δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα. Ζητήστε από τον πειραματιστή να σας δείξει πώς αγγίζετε και πώς αφήνετε ένα αντικείμενο.</translation>
-    </message>
-    <message>
         <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the session, connect headphones or loudspeakers, and resume the run.</source>
         <translation>Ο ήχος κάλυψης δεν ακούγεται: αυτός ο υπολογιστής δεν έχει έξοδο ήχου. Κάθε δοκιμή καταγράφεται ως χωρίς κάλυψη. Για κάλυψη σταματήστε τη συνεδρία, συνδέστε ακουστικά ή ηχεία και συνεχίστε την εκτέλεση.</translation>
     </message>
@@ -16837,10 +17343,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Ό,τι δοκιμάσατε δεν μετράει. Ακολουθούν δοκιμές εξάσκησης, που ούτε αυτές μετρούν· μετά από αυτές μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
     </message>
     <message>
-        <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
-        <translation>Ό,τι δοκιμάσατε δεν μετράει. Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
-    </message>
-    <message>
         <source>You moved too fast. Move more slowly.</source>
         <translation>Κινηθήκατε πολύ γρήγορα. Κινηθείτε πιο αργά.</translation>
     </message>
@@ -16851,10 +17353,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>You pressed too hard. Press more gently.</source>
         <translation>Πιέσατε πολύ δυνατά. Πιέστε πιο απαλά.</translation>
-    </message>
-    <message>
-        <source>%1 These objects come again. Lift the tool off.</source>
-        <translation>%1 Αυτά τα αντικείμενα θα παρουσιαστούν ξανά. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
         <source>The next part</source>
@@ -16909,16 +17407,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πιέστε λίγο πιο δυνατά το %1: τουλάχιστον %2 N.</translation>
     </message>
     <message>
-        <source>Not every object was touched in time.</source>
-        <translation>Δεν αγγίξατε εγκαίρως όλα τα αντικείμενα.</translation>
-    </message>
-    <message>
         <source>Practice is over</source>
         <translation>Η εξάσκηση τελείωσε</translation>
-    </message>
-    <message>
-        <source>From now on every answer counts. Press Continue when you are ready.</source>
-        <translation>Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
     </message>
     <message>
         <source>Continue (Enter)</source>
@@ -16927,10 +17417,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Stop … (Esc twice)</source>
         <translation>Διακοπή … (δύο φορές Esc)</translation>
-    </message>
-    <message>
-        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
-        <translation>Το Esc σταματά αμέσως τη δύναμη· αν πατηθεί ξανά, ρωτά αν θα διακοπεί η συνεδρία. Το T ελευθερώνει τον δείκτη.</translation>
     </message>
     <message>
         <source>It comes again later.</source>
@@ -16951,10 +17437,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
-    </message>
-    <message>
-        <source>Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session.</source>
-        <translation>Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία.</translation>
     </message>
     <message>
         <source>Here a participant explores objects and answers.</source>
@@ -16997,20 +17479,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Αφήσατε το αντικείμενο %1. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
-        <source>You are holding the object. Pull it up.</source>
-        <translation>Κρατάτε το αντικείμενο. Τραβήξτε το προς τα πάνω.</translation>
-    </message>
-    <message>
-        <source>You are holding object %1. Pull it up.</source>
-        <translation>Κρατάτε το αντικείμενο %1. Τραβήξτε το προς τα πάνω.</translation>
-    </message>
-    <message>
         <source>Touch next: %1.</source>
         <translation>Αγγίξτε μετά: %1.</translation>
-    </message>
-    <message>
-        <source>Not every object was explored with at least %1 N in time.</source>
-        <translation>Δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N.</translation>
     </message>
     <message>
         <source>Find the highest point, and mark it.</source>
@@ -17019,10 +17489,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Find the sphere first.</source>
         <translation>Βρείτε πρώτα τη σφαίρα.</translation>
-    </message>
-    <message>
-        <source>Several times in a row, not every object was explored with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
-        <translation>Αρκετές φορές στη σειρά δεν εξερευνήθηκαν όλα τα αντικείμενα εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
     <message>
         <source>Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or Page Up and Page Down. T frees the pointer, and a click in the scene captures it again and does not count as an answer. Answer with the buttons or with the keys shown on them, as soon as they are enabled.</source>
@@ -17078,10 +17544,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Please call the experimenter</source>
         <translation>Παρακαλούμε καλέστε τον πειραματιστή</translation>
-    </message>
-    <message>
-        <source>The last trial could not be presented accurately enough, even after several attempts. The experimenter decides how to go on.</source>
-        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε με αρκετή ακρίβεια, ακόμη και μετά από αρκετές προσπάθειες. Ο πειραματιστής αποφασίζει πώς θα συνεχίσετε.</translation>
     </message>
     <message>
         <source>Go on (R)</source>
@@ -17178,6 +17640,210 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>Press less hard in this trial.</source>
         <translation>Πιέστε λιγότερο δυνατά σε αυτή τη δοκιμή.</translation>
     </message>
+    <message>
+        <source>All answers given so far are kept. The run is not finished: it can be resumed later at the same trial, also on another day. If it is not resumed, the answers count in the results as far as they suffice for a value.</source>
+        <translation>Όλες οι απαντήσεις ως τώρα διατηρούνται. Η εκτέλεση δεν έχει ολοκληρωθεί: μπορεί να συνεχιστεί αργότερα από την ίδια δοκιμή, και άλλη μέρα. Αν δεν συνεχιστεί, οι απαντήσεις μετρούν στα αποτελέσματα, εφόσον επαρκούν για μια τιμή.</translation>
+    </message>
+    <message>
+        <source>Go on with the trials</source>
+        <translation>Συνέχεια των δοκιμών</translation>
+    </message>
+    <message>
+        <source>Stop the pilot run</source>
+        <translation>Τερματισμός της πιλοτικής δοκιμής</translation>
+    </message>
+    <message>
+        <source>Stop, and keep the answers</source>
+        <translation>Τερματισμός, με διατήρηση των απαντήσεων</translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation>το σημείο</translation>
+    </message>
+    <message>
+        <source>Take back: %1 (⌫)</source>
+        <translation>Αναίρεση: %1 (⌫)</translation>
+    </message>
+    <message>
+        <source>Pull it up: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Τραβήξτε το προς τα πάνω: γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Pull it up.</source>
+        <translation>Τραβήξτε το προς τα πάνω.</translation>
+    </message>
+    <message>
+        <source>Press the object less hard onto the table.</source>
+        <translation>Πιέστε το αντικείμενο λιγότερο δυνατά στο τραπέζι.</translation>
+    </message>
+    <message>
+        <source>Press the object less hard onto the table in this trial.</source>
+        <translation>Πιέστε το αντικείμενο λιγότερο δυνατά στο τραπέζι σε αυτή τη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>You pressed an object too hard onto the table. Put it down more gently.</source>
+        <translation>Πιέσατε ένα αντικείμενο πολύ δυνατά στο τραπέζι. Ακουμπήστε το πιο απαλά.</translation>
+    </message>
+    <message>
+        <source>Raise the tool: roll the wheel away from you, or hold Page Up.</source>
+        <translation>Σηκώστε το εργαλείο: γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Raise the handle.</source>
+        <translation>Σηκώστε τη λαβή.</translation>
+    </message>
+    <message>
+        <source>You are pressing the object.</source>
+        <translation>Πιέζετε το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>You are touching the object. Move the mouse to stroke it.</source>
+        <translation>Αγγίζετε το αντικείμενο. Μετακινήστε το ποντίκι για να το τρίψετε.</translation>
+    </message>
+    <message>
+        <source>You are touching the object. Move the handle to stroke it.</source>
+        <translation>Αγγίζετε το αντικείμενο. Μετακινήστε τη λαβή για να το τρίψετε.</translation>
+    </message>
+    <message>
+        <source>Lift the object first.</source>
+        <translation>Σηκώστε πρώτα το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Lift first: %1.</source>
+        <translation>Σηκώστε πρώτα: %1.</translation>
+    </message>
+    <message>
+        <source>Lift next: %1.</source>
+        <translation>Σηκώστε στη συνέχεια: %1.</translation>
+    </message>
+    <message>
+        <source>Pull the object first.</source>
+        <translation>Τραβήξτε πρώτα το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Pull first: %1.</source>
+        <translation>Τραβήξτε πρώτα: %1.</translation>
+    </message>
+    <message>
+        <source>Pull next: %1.</source>
+        <translation>Τραβήξτε στη συνέχεια: %1.</translation>
+    </message>
+    <message>
+        <source>You can answer now, or explore further.</source>
+        <translation>Μπορείτε να απαντήσετε τώρα ή να συνεχίσετε την εξερεύνηση.</translation>
+    </message>
+    <message>
+        <source>You can answer now.</source>
+        <translation>Μπορείτε να απαντήσετε τώρα.</translation>
+    </message>
+    <message>
+        <source>You have not let go of an object yet, which you need for the next one.</source>
+        <translation>Δεν έχετε αφήσει ακόμη κανένα αντικείμενο, πράγμα που χρειάζεται για το επόμενο.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold Page Up.</source>
+        <translation>Γυρίστε τον τροχό προς τα εμπρός ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down.</source>
+        <translation>Γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down.</translation>
+    </message>
+    <message>
+        <source>The pointer is free: click in the scene to move the tool with the mouse again.</source>
+        <translation>Ο δείκτης είναι ελεύθερος: κάντε κλικ στη σκηνή για να μετακινείτε πάλι το εργαλείο με το ποντίκι.</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>ακόμη %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>Lower the tool until the force rises: roll the wheel towards you, or hold Page Down.</source>
+        <translation>Κατεβάστε το εργαλείο ώσπου να αυξηθεί η δύναμη: γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down.</translation>
+    </message>
+    <message>
+        <source>Lower the tip until it meets the sphere.</source>
+        <translation>Κατεβάστε την άκρη ώσπου να συναντήσει τη σφαίρα.</translation>
+    </message>
+    <message>
+        <source>The time ended while you were still holding an object: put it down and let go of it to lift the next one.</source>
+        <translation>Ο χρόνος τελείωσε ενώ κρατούσατε ακόμη ένα αντικείμενο: ακουμπήστε το και αφήστε το, για να σηκώσετε το επόμενο.</translation>
+    </message>
+    <message>
+        <source>The time ended while you were still holding an object: let go of it to explore the next one.</source>
+        <translation>Ο χρόνος τελείωσε ενώ κρατούσατε ακόμη ένα αντικείμενο: αφήστε το, για να εξερευνήσετε το επόμενο.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was lifted: one of them was held, but stayed on the table.</source>
+        <translation>Ο χρόνος τελείωσε πριν σηκωθούν όλα τα αντικείμενα: ένα από αυτά το κρατήσατε, αλλά έμεινε στο τραπέζι.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was lifted.</source>
+        <translation>Ο χρόνος τελείωσε πριν σηκωθούν όλα τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>You did not pull every object hard enough in time: at least %1 N.</source>
+        <translation>Δεν τραβήξατε εγκαίρως όλα τα αντικείμενα αρκετά δυνατά: τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>You did not press every object hard enough in time: at least %1 N.</source>
+        <translation>Δεν πιέσατε εγκαίρως όλα τα αντικείμενα αρκετά δυνατά: τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was pulled.</source>
+        <translation>Ο χρόνος τελείωσε πριν τραβήξετε όλα τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>The time ended before every object was touched.</source>
+        <translation>Ο χρόνος τελείωσε πριν αγγίξετε όλα τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>%1 This practice trial comes again.</source>
+        <translation>%1 Αυτή η δοκιμή εξάσκησης θα επαναληφθεί.</translation>
+    </message>
+    <message>
+        <source>The next objects are coming.</source>
+        <translation>Έρχονται τα επόμενα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>These objects come again.</source>
+        <translation>Αυτά τα αντικείμενα θα παρουσιαστούν ξανά.</translation>
+    </message>
+    <message>
+        <source>The next sphere is coming.</source>
+        <translation>Έρχεται η επόμενη σφαίρα.</translation>
+    </message>
+    <message>
+        <source>Unlike in practice, the next trial comes by itself after each answer: there is no Next, and no answer can be taken back. Press Continue when you are ready.</source>
+        <translation>Αντίθετα με την εξάσκηση, μετά από κάθε απάντηση η επόμενη δοκιμή έρχεται μόνη της: δεν υπάρχει «Επόμενο», και καμία απάντηση δεν μπορεί να αναιρεθεί. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>The next trial comes by itself after each answer, and no answer can be taken back. Press Continue when you are ready.</source>
+        <translation>Μετά από κάθε απάντηση η επόμενη δοκιμή έρχεται μόνη της, και καμία απάντηση δεν μπορεί να αναιρεθεί. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>What you tried does not count. From now on every answer counts.</source>
+        <translation>Ό,τι δοκιμάσατε δεν μετράει. Από εδώ και πέρα μετράει κάθε απάντηση.</translation>
+    </message>
+    <message>
+        <source>Several trials in a row did not count. The last one: %1</source>
+        <translation>Αρκετές δοκιμές στη σειρά δεν μέτρησαν. Η τελευταία: %1</translation>
+    </message>
+    <message>
+        <source>Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάται και πώς αφήνεται ένα αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Ask the experimenter to show how an object is explored.</source>
+        <translation>Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάται ένα αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>The experimenter decides how to go on.</source>
+        <translation>Ο πειραματιστής αποφασίζει πώς θα συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>From now on every answer counts.</source>
+        <translation>Από εδώ και πέρα μετράει κάθε απάντηση.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>
@@ -17250,7 +17916,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Να μετράει ξανά η συνεδρία %1 (%2);</translation>
     </message>
     <message>
-        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions stay with it, each with a name, a time and a reason.</source>
+        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions are kept with it, each with a name, a time and a reason.</source>
         <translation>Η συνεδρία μετράει όπως πριν από την ακύρωσή της: για την επιτυχία στο επίπεδό της και στα αποτελέσματα. Και οι δύο αποφάσεις παραμένουν αποθηκευμένες μαζί της, καθεμία με όνομα, ώρα και αιτιολογία.</translation>
     </message>
     <message>
@@ -17277,20 +17943,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Απόσυρση: %1</translation>
     </message>
     <message>
-        <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
-        <translation>Ο συμμετέχων αποχωρεί από τη μελέτη· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
-    </message>
-    <message>
         <source>The participant wants the recordings erased</source>
         <translation>Ο συμμετέχων θέλει να σβηστούν οι καταγραφές</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
         <translation>Δεν αναιρείται.</translation>
-    </message>
-    <message>
-        <source>Withdraw</source>
-        <translation>Απόσυρση</translation>
     </message>
     <message>
         <source>The participant was not withdrawn.
@@ -17305,6 +17963,26 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant).</source>
         <translation>Το αίτημα καταγράφεται και γνωστοποιείται στους διαχειριστές, που διαγράφουν έπειτα τις καταγραφές (Άτομα, Διαγραφή συμμετέχοντα).</translation>
+    </message>
+    <message>
+        <source>Withdraw %1 only if they leave the study for good. If they merely stopped for today, do not withdraw them: an interrupted run is resumed under Run.</source>
+        <translation>Αποσύρετε το %1 μόνο αν φεύγει οριστικά από τη μελέτη. Αν απλώς σταμάτησε για σήμερα, μην το κάνετε: μια εκτέλεση που διακόπηκε συνεχίζεται από τη «Διεξαγωγή».</translation>
+    </message>
+    <message>
+        <source>What is kept: everything that was recorded, under the code. Nothing is erased, unless the participant wants it (below).</source>
+        <translation>Τι διατηρείται: όλα όσα καταγράφηκαν, με τον κωδικό. Τίποτα δεν διαγράφεται, εκτός αν το ζητήσει το άτομο (παρακάτω).</translation>
+    </message>
+    <message>
+        <source>What no longer counts: this participant&apos;s answers, also those of finished runs. They are left out of group values and comparisons.</source>
+        <translation>Τι δεν μετρά πια: οι απαντήσεις αυτού του ατόμου, και των ολοκληρωμένων εκτελέσεων. Δεν περιλαμβάνονται στις τιμές ομάδας και στις συγκρίσεις.</translation>
+    </message>
+    <message>
+        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <translation>Τι τελειώνει: μια ανοιχτή εκτέλεση δεν μπορεί να συνεχιστεί, και καμία άλλη δεν μπορεί να αρχίσει. Η θέση στη σειρά των συνθηκών ελευθερώνεται για το επόμενο άτομο.</translation>
+    </message>
+    <message>
+        <source>Do not withdraw</source>
+        <translation>Χωρίς απόσυρση</translation>
     </message>
 </context>
 <context>
@@ -17419,6 +18097,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Tissue, fingers and findings, from above and from the side</source>
         <translation>Ιστός, δάκτυλα και ευρήματα, από πάνω και από το πλάι</translation>
+    </message>
+    <message>
+        <source>Lines: %1 mm</source>
+        <translation>Γραμμές: %1 mm</translation>
     </message>
 </context>
 <context>
@@ -18285,8 +18967,8 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Δύναμη του ιστού και τι έγινε αισθητό</translation>
     </message>
     <message>
-        <source>Ticks, late, left out</source>
-        <translation>Κύκλοι, καθυστερημένοι, χαμένοι</translation>
+        <source>Ticks: all, late, skipped</source>
+        <translation>Κύκλοι: όλοι, καθυστερημένοι, χαμένοι</translation>
     </message>
     <message>
         <source>by chance %1</source>
@@ -18306,7 +18988,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>%1 of the samples lie deeper or farther out than the range in which the force law was checked. Their force is bounded and counts, but it is less certain than the rest.</source>
-        <translation>Το %1 των δειγμάτων βρίσκεται βαθύτερα ή πιο έξω από την περιοχή όπου έχει ελεγχθεί ο νόμος της δύναμης. Η δύναμή τους είναι φραγμένη και μετρά, αλλά είναι λιγότερο βέβαιη από την υπόλοιπη.</translation>
+        <translation>Το %1 των δειγμάτων βρίσκεται βαθύτερα ή πιο έξω από την περιοχή όπου έχει ελεγχθεί ο νόμος της δύναμης. Η δύναμή τους περιορίζεται και μετρά, αλλά είναι λιγότερο βέβαιη από την υπόλοιπη.</translation>
     </message>
     <message>
         <source>felt (commanded)</source>

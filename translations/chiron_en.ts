@@ -204,10 +204,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
+        <source>%n people are listed under an earlier full name and keep today&apos;s name. To give somebody an earlier name back, edit the person.</source>
         <translation>
-            <numerusform>%n person is listed under an earlier full name and keeps the one of today. To give an earlier one back, edit the person.</numerusform>
-            <numerusform>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</numerusform>
+            <numerusform>%n person is listed under an earlier full name and keeps today&apos;s name. To give somebody an earlier name back, edit the person.</numerusform>
+            <numerusform>%n people are listed under an earlier full name and keep today&apos;s name. To give somebody an earlier name back, edit the person.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -387,13 +387,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
-        <translation>
-            <numerusform>%n participant of the group was simulated without rendering: the observer knew the values and felt nothing.</numerusform>
-            <numerusform>%n participants of the group were simulated without rendering: the observers knew the values and felt nothing.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n of %1 simulated run(s) gave no value.</source>
         <translation>
             <numerusform>%n of %1 simulated runs gave no value.</numerusform>
@@ -415,17 +408,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
-        <translation>
-            <numerusform>The group includes %n participant to whom objects were shown, not felt.</numerusform>
-            <numerusform>The group includes %n participants to whom objects were shown, not felt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n mark(s) come from a simulated observer: nothing was rendered.</source>
         <translation>
             <numerusform>%n mark comes from a simulated observer: nothing was rendered.</numerusform>
             <numerusform>%n marks come from a simulated observer: nothing was rendered.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) were simulated without rendering: the observers knew the values and felt nothing.</source>
+        <translation>
+            <numerusform>%n participant was simulated without rendering: the observer knew the values and felt nothing.</numerusform>
+            <numerusform>%n participants were simulated without rendering: the observers knew the values and felt nothing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Objects were shown to %n participant(s), not felt. Such runs are included on purpose: each counts in the group if its answers give a value.</source>
+        <translation>
+            <numerusform>Objects were shown to %n participant, not felt. Such runs are included on purpose: each counts in the group if its answers give a value.</numerusform>
+            <numerusform>Objects were shown to %n participants, not felt. Such runs are included on purpose: each counts in the group if its answers give a value.</numerusform>
         </translation>
     </message>
 </context>
@@ -746,6 +746,23 @@
         <translation>
             <numerusform>%n person was updated.</numerusform>
             <numerusform>%n people were updated.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RulesPage</name>
+    <message numerus="yes">
+        <source>%1: %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: %n trial that counts</numerusform>
+            <numerusform>%1: %n trials that count</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: at most %n trial(s) that count</source>
+        <translation>
+            <numerusform>%1: at most %n trial that counts</numerusform>
+            <numerusform>%1: at most %n trials that count</numerusform>
         </translation>
     </message>
 </context>

@@ -40,6 +40,8 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
         QJsonObject entry{{"driver", text(device.driver)},
                           {"model", text(device.model)},
                           {"kinematics", text(device.kinematics)}};
+        if (!device.serialNumber.empty())
+            entry.insert("serial_number", text(device.serialNumber));
         if (const devices::KinematicsEntry* kinematics = devices::findKinematics(device.kinematics);
             kinematics && kinematics->forceMaps)
             entry.insert("force_map", text(std::string(kinematics->forceMaps->of(device))));

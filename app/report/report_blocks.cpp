@@ -239,7 +239,7 @@ void ReportBlocks::addIntegrity() {
     addPairs({{Words::tr("Recorded samples"), locale.toString(static_cast<qulonglong>(facts.frames))},
               {Words::tr("Lost samples"), locale.toString(static_cast<qulonglong>(facts.dropped))},
               {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
-              {Words::tr("Ticks, late, left out"),
+              {Words::tr("Ticks: all, late, skipped"),
                QStringLiteral("%1, %2, %3")
                    .arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
                         locale.toString(static_cast<qulonglong>(loop.late)),

@@ -77,9 +77,6 @@ inline constexpr PlaybackMarkKind kFailed{"failed", "dialog-error", MarkTone::pe
 inline constexpr PlaybackMarkKind kLimited{"limited", "security-medium", MarkTone::safety};
 } // namespace mark_kinds
 
-/// `detail` of a time-out in a procedure, which has no answer to mark.
-inline constexpr const char* kProcedure = "procedure";
-
 /// `detail` of tissue that gave way to a torque.
 inline constexpr const char* kByTorque = "torque";
 
@@ -96,7 +93,7 @@ struct PlaybackMark {
     /// yielded: where, m, W; no value if the packet was refused. Playback crosses the place.
     std::optional<core::Vec3> p_W;
     /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's
-    /// token ("inspection"), empty if unknown; timedOut: kProcedure if the trial did not ask for a mark.
+    /// token ("inspection"), empty if unknown.
     std::string detail;
 };
 

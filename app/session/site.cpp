@@ -36,8 +36,29 @@ core::Result<const catalogue::ExerciseLevel*> levelOf(const catalogue::Catalogue
                       "exercise \"" + session.exercise + "\": no level " + std::to_string(session.level));
 }
 
+/// The station of a session on a connected device.
+core::Result<Station> connectedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                       const ScriptedSession& session) {
+    const devices::Driver* const driver = devices::findDriver(session.driver);
+    if (driver == nullptr)
+        return core::fail(core::ErrorCode::notFound, "device \"" + session.driver + "\": no such driver");
+    if (driver->movedBy != devices::MovedBy::person || driver->hand != devices::HandKind::handle)
+        return core::fail(core::ErrorCode::wrongUse,
+                          "device " + session.driver + ": nobody can hold it here; it needs " +
+                              (driver->movedBy == devices::MovedBy::person ? "a window" : "an operator"));
+    if (!session.mechanism.empty() || !session.forceMap.empty())
+        return core::fail(core::ErrorCode::wrongUse,
+                          "device " + session.driver +
+                              ": it has the mechanism and the force map that it states itself");
+    auto station = personStation(*driver, session.mounting, kind, level, session.addresses);
+    CHIRON_TRY(station);
+    return station;
+}
+
 core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                  const ScriptedSession& session) {
+    if (!session.driver.empty())
+        return connectedStation(kind, level, session);
     const std::vector<std::string> names = kind.operatorNames();
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end()) {
         const std::string_view mechanism =
@@ -105,9 +126,14 @@ core::Result<TrainingResult> runScripted(database::Database& database, const dat
     request.level = **level;
     request.seed = session.seed;
     request.station = std::move(*station);
-    request.realtime = session.realtime;
+    request.realtime = session.realtime ||
+                       std::any_of(request.station.tools.begin(), request.station.tools.end(),
+                                   [](const StationTool& tool) { return !tool.device->steppedByHost(); });
     request.familiarisation = session.familiarisation;
     request.cancel = cancel;
+    // Nobody has logged in: it is nobody's session, and says what it was done on.
+    if (!session.driver.empty() && actor.kind() == database::ActorKind::simulated)
+        request.station.operatorName = "device:" + session.driver;
     return runTraining(database, actor, std::move(request));
 }
 

@@ -35,6 +35,11 @@ struct ScriptedSession {
     std::string forceMap{};     ///< one of devices::forceMapIds(); "": the usual one
     std::string mechanism{};    ///< kinematics id of the simulated mechanism; "": the exercise's usual one
     WorkspaceChoice mounting{}; ///< mounting of the bases of the simulated mechanisms
+    /// Catalogue id of a driver whose devices somebody holds (MovedBy::person, a handle), instead of
+    /// `operatorName`, which is then empty. Its session runs by the device's clock.
+    std::string driver{};
+    /// Where its devices are connected, one for each tool; empty: as the driver finds them.
+    std::vector<std::string> addresses{};
 };
 
 /// Checks whether the operator or trace is available, before a database is created for it.

@@ -55,6 +55,30 @@ WorkspaceChoice ofPointer(WorkspaceChoice choice) {
 
 /// The positions of a level's devices: those of the exercise, each with the chosen mounting, or else the
 /// level's, relative to that position.
+core::Result<std::vector<devices::WorkspaceMapping>> mountedPlaces(const ExerciseKind& kind,
+                                                                   const catalogue::ExerciseLevel& level,
+                                                                   const WorkspaceChoice& chosen) {
+    const int tools = kind.toolCount(level);
+    if (tools < 1 || tools > core::kMaxTools)
+        return differingHands(kind, static_cast<std::size_t>(std::max(tools, 0)),
+                              static_cast<std::size_t>(std::max(tools, 0)));
+    std::vector<devices::WorkspaceMapping> places;
+    for (int tool = 0; tool < tools; ++tool) {
+        const auto mounted = mappingOf(mountingOf(level, tool, chosen));
+        CHIRON_TRY(mounted);
+        devices::WorkspaceMapping place = kind.toolPlace(level, tool);
+        for (std::size_t i = 0; i < 3; ++i)
+            place.origin_m[i] += mounted->origin_m[i];
+        place.scale *= mounted->scale;
+        place.leftHanded = place.leftHanded != mounted->leftHanded;
+        if (mounted->turned())
+            place.q_WD = mounted->q_WD;
+        places.push_back(place);
+    }
+    return places;
+}
+
+/// The same for devices that scripted hands hold.
 core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind,
                                                               const catalogue::ExerciseLevel& level,
                                                               std::size_t hands,
@@ -72,20 +96,7 @@ core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind
                               ": its scripted hands hold a device that stands as it is built; it can be "
                               "mounted otherwise for " +
                               idsOfKinds(knowsItsPlace));
-    std::vector<devices::WorkspaceMapping> places;
-    for (int tool = 0; tool < tools; ++tool) {
-        const auto mounted = mappingOf(mountingOf(level, tool, chosen));
-        CHIRON_TRY(mounted);
-        devices::WorkspaceMapping place = kind.toolPlace(level, tool);
-        for (std::size_t i = 0; i < 3; ++i)
-            place.origin_m[i] += mounted->origin_m[i];
-        place.scale *= mounted->scale;
-        place.leftHanded = place.leftHanded != mounted->leftHanded;
-        if (mounted->turned())
-            place.q_WD = mounted->q_WD;
-        places.push_back(place);
-    }
-    return places;
+    return mountedPlaces(kind, level, chosen);
 }
 
 devices::TracePoint pointOf(const scoring::TraceRow& row, const scoring::TraceColumns& columns) {
@@ -235,12 +246,18 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const E
 }
 
 core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& given,
-                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
-    const WorkspaceChoice choice = ofPointer(given);
+                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                    std::span<const std::string> addresses) {
+    const bool based = driver.hand == devices::HandKind::handle; // it stands somewhere
+    const WorkspaceChoice choice = based ? given : ofPointer(given);
     const PointerTool tool = kind.pointerTool();
     const bool fingers = tool == PointerTool::point && kind.toolCount(level) > 1;
     std::vector<devices::WorkspaceMapping> places;
-    if (tool == PointerTool::grasper || fingers) {
+    if (based) {
+        auto mounted = mountedPlaces(kind, level, choice);
+        CHIRON_TRY(mounted);
+        places = std::move(*mounted);
+    } else if (tool == PointerTool::grasper || fingers) {
         auto several = pointerPlaces(kind, level, choice);
         CHIRON_TRY(several);
         places = std::move(*several);
@@ -258,6 +275,12 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
              tool == PointerTool::point ? startHeightOf(kind, level, place) : std::nullopt,
              nullptr,
              {}});
+    if (!addresses.empty() && addresses.size() != request.tools.size())
+        return core::fail(core::ErrorCode::badInput, "addresses: " + std::to_string(addresses.size()) +
+                                                         ", tools: " + std::to_string(request.tools.size()) +
+                                                         "; expected one address for each tool");
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+        request.tools[i].address = addresses[i];
     return stationOf(driver, std::move(request));
 }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,9 +79,12 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level);
 
-/// The same with any driver whose devices a person moves (MovedBy::person).
+/// The same with any driver whose devices a person moves (MovedBy::person). A device with a handle stands on
+/// a base, which is mounted as for scripted hands. `addresses`: where the devices are connected, one for each
+/// tool (ToolRequest::address); empty: as the driver finds them.
 core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice,
-                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
+                                    const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                    std::span<const std::string> addresses = {});
 
 /// What a scripted operator holds. The default is what is used if nobody chose.
 struct ScriptedDevice {

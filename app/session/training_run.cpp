@@ -26,14 +26,19 @@ constexpr std::uint64_t kFlushEvery_ticks = 1024;
 /// A person may pause for any length of time, and can end the session by hand.
 constexpr std::uint64_t kNoTickLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// The same task for runs faster than real time, with regular waits for the writer.
+/// The same task for runs faster than real time, with regular waits for the writer, and for devices that are
+/// stepped over a link. One that is gone is not waited for; the supervisor sees that its packets end.
 struct ThrottledTask {
     RunTask& task;
     database::WriterThread& writer;
+    std::vector<StationTool>& tools;
     bool tick(const realtime::HapticTick& now) noexcept {
         if (now.index() % kFlushEvery_ticks == kFlushEvery_ticks - 1)
             (void)writer.flush(); // an error stays with the source and is reported at the end
-        return task.tick(now);
+        const bool goOn = task.tick(now);
+        for (StationTool& tool : tools)
+            (void)tool.device->awaitStep();
+        return goOn;
     }
 };
 
@@ -63,14 +68,14 @@ LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop, simulation::ISl
     return report;
 }
 
-LoopReport runAsFast(RunTask& task, database::WriterThread& writer) {
+LoopReport runAsFast(RunTask& task, database::WriterThread& writer, std::vector<StationTool>& tools) {
     LoopReport report;
     std::atomic<bool> stop{false};
     std::thread haptic([&] {
         core::setModelFloatingPointEnvironment();
         realtime::TickSource ticks;
         realtime::AsFastRunner runner(ticks);
-        ThrottledTask throttled{task, writer};
+        ThrottledTask throttled{task, writer, tools};
         report.ticks = runner.run(throttled, stop).executed;
     });
     haptic.join();
@@ -87,6 +92,22 @@ SessionSetup setupOf(const TrainingRequest& request) {
     for (const StationTool& tool : request.station.tools)
         setup.devices.push_back(tool.device->descriptor());
     return setup;
+}
+
+void closeAll(std::vector<StationTool>& tools) {
+    for (StationTool& tool : tools)
+        tool.device->close();
+}
+
+/// A device with a clock of its own cannot be hurried.
+core::Result<void> checkClocks(const TrainingRequest& request) {
+    for (const StationTool& tool : request.station.tools)
+        if (!request.realtime && !tool.device->steppedByHost())
+            return core::fail(core::ErrorCode::wrongUse,
+                              "device " + tool.device->descriptor().driver +
+                                  ": it runs by its own clock; expected a session in "
+                                  "real time");
+    return {};
 }
 
 core::Result<void> openAll(std::vector<StationTool>& tools) {
@@ -159,8 +180,8 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     RunTask task(**loop, inputs, sink,
                  {tickLimit, devices.front(), request.cancel, request.live,
                   kind.markRole() != MarkRole::oneOfSeveral});
-    LoopReport report =
-        request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
+    LoopReport report = request.realtime ? runRealtime(task, **loop, slowModel)
+                                         : runAsFast(task, database.writer(), request.station.tools);
     report.passivity_J = (*loop)->passivityKept_J();
     report.passivityWithheld_J = (*loop)->passivityWithheld_J();
     return report;
@@ -189,13 +210,18 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
                                            TrainingRequest& request) {
     auto kind = exerciseKind(request.level.exercise);
     CHIRON_TRY(kind);
-    const SessionSetup setup = setupOf(request);
     if (request.ringFolder.empty())
         request.ringFolder = recording::defaultRingFolder();
+    CHIRON_TRY(checkClocks(request));
     CHIRON_TRY(openAll(request.station.tools));
+    // After opening: a connected device then knows the delay of its link.
+    const SessionSetup setup = setupOf(request);
     TrainingResult result;
     auto session = beginSession(database, actor, request, setup);
-    CHIRON_TRY(session);
+    if (!session) {
+        closeAll(request.station.tools);
+        return tl::unexpected(session.error());
+    }
     result.session = *session;
     if (request.live)
         request.live->setSession(*session);
@@ -203,11 +229,12 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
         request.onSession(*session);
     auto recording =
         LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
-    if (!recording)
+    if (!recording) {
+        closeAll(request.station.tools);
         return abandon(database, actor, *session, recording.error());
+    }
     auto loop = runLoop(database, request, setup, **kind, **recording);
-    for (StationTool& tool : request.station.tools)
-        tool.device->close();
+    closeAll(request.station.tools);
     if (!loop) { // no tick was executed, so the ring is empty
         (void)(*recording)->finish();
         return abandon(database, actor, *session, loop.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/group_words.h"
 
+#include "psychophysics/measures/run_warnings.h"
 #include "psychophysics/study/group_estimate.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
@@ -29,11 +30,13 @@ QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
     if (expected == 0)
         return Words::tr("There is no group value: nobody takes part.");
     if (used == 0)
-        return Words::tr("There is no group value yet: nobody has given a usable one.");
+        return Words::tr("There is no group value yet: no participant's run is included so far.");
     return used == expected ? Words::tr("The group value includes everybody who takes part.")
                             : Words::tr("The group value includes %1 of %2 participants.")
                                   .arg(locale.toString(used), locale.toString(expected));
 }
+
+static_assert(psychophysics::kFewTrials == 20); // openValue() says it
 
 /// What a run has whose answers leave the value open, and what would help. "%1": the codes.
 QString openValue(const RolledPerson& person) {
@@ -64,8 +67,11 @@ QString openValue(const RolledPerson& person) {
     case Remedy::none:
         break;
     case Remedy::moreTrials:
-        said << Words::tr(
-            "There are too few answers to measure the threshold: copy the study and plan more trials.");
+        said << (person.answers > 0 && person.answers < psychophysics::kFewTrials
+                     ? Words::tr("Fewer than 20 answers rarely measure a threshold.")
+                     : Words::tr("There are too few answers to measure the threshold."));
+        said << Words::tr("Copy the study and plan more trials: its page Expected precision shows with how "
+                          "many most runs give a value.");
         break;
     case Remedy::unusedDifferences:
         said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "
@@ -215,8 +221,8 @@ QStringList missing(const GroupRoll& first, const GroupRoll& second, const QStri
         if ((groups ? inGroup : inPair) || isOut(inFirst) || isOut(inSecond))
             continue;
         if (inPair)
-            said << Words::tr("%1 is not in this comparison: it is of two groups, and %1 has a value in both "
-                              "“%2” and “%3”.")
+            said << Words::tr("%1 is not in this comparison: it compares two separate groups, and %1 has a "
+                              "value in both “%2” and “%3”.")
                         .arg(QString::fromStdString(code), a, b);
         else
             said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).")
@@ -240,8 +246,17 @@ QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
     return said;
 }
 
-/// One sentence for each reason why people with this presence are not included, with their codes.
-QStringList reasons(const GroupRoll& roll, Presence presence) {
+/// "2 of 6 participants (A, B)", or the codes alone where there is nobody else.
+QString countedCodes(const std::vector<std::string>& codes, int of, const QLocale& locale) {
+    const QString names = study_report_words::codes(codes);
+    return of < 2 ? names
+                  : Words::tr("%1 of %2 participants (%3)")
+                        .arg(locale.toString(static_cast<int>(codes.size())), locale.toString(of), names);
+}
+
+/// One sentence for each reason why people with this presence are not included, with their number among
+/// those who could be, and their codes.
+QStringList reasons(const GroupRoll& roll, Presence presence, const QLocale& locale) {
     std::vector<std::pair<QString, std::vector<std::string>>> codesOf; // by reason, in the order of the roll
     for (const RolledPerson& person : roll.people) {
         if (person.presence != presence)
@@ -253,9 +268,10 @@ QStringList reasons(const GroupRoll& roll, Presence presence) {
             same = codesOf.emplace(codesOf.end(), why, std::vector<std::string>());
         same->second.push_back(person.code);
     }
+    const int of = isOut(presence) ? static_cast<int>(roll.people.size()) : roll.expected();
     QStringList said;
     for (const auto& [why, codes] : codesOf)
-        said << why.arg(study_report_words::codes(codes));
+        said << why.arg(countedCodes(codes, of, locale));
     return said;
 }
 
@@ -281,7 +297,7 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
          {Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight,
           Presence::guessing, Presence::unbounded, Presence::noValue, Presence::shown, Presence::simulated,
           Presence::withdrawn})
-        said << reasons(roll, presence);
+        said << reasons(roll, presence, locale);
     const bool simulatedAlone = roll.enrolled == 0 && !roll.people.empty();
     if (!roll.closed && !simulatedAlone && roll.enrolled < roll.planned)
         said
@@ -293,9 +309,9 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
         if (person.open && person.presence == Presence::used)
             open.push_back(person.code);
     if (!open.empty())
-        said << Words::tr("%1: in the group value with a run that is not finished, so the value may still "
+        said << Words::tr("%1: the group value includes a run that is not finished, so it may still "
                           "change. Resume the run under Run.")
-                    .arg(study_report_words::codes(open));
+                    .arg(countedCodes(open, roll.expected(), locale));
     return said;
 }
 

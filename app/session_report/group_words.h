@@ -15,8 +15,8 @@ namespace chiron::session_report {
 
 /// Explains a condition's group value: whether there is one and how many participants it includes, followed
 /// by a sentence for each reason why somebody is not included or why the value may still change, with their
-/// codes and the action to take. Screens, reports and the command line all use this text. It avoids plural
-/// forms, because the command line has no translations.
+/// number, their codes and the action to take. Screens, reports and the command line all use this text. It
+/// avoids plural forms, because the command line has no translations.
 QStringList groupSentences(const session::GroupRoll& roll, const QLocale& locale);
 
 /// The rule by which a run is included in its group's value and in comparisons, or left out

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/study_comparison_words.h"
 
+#include "psychophysics/measures/exact_tests.h"
+#include "psychophysics/planning/study_plan.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
 
@@ -42,6 +44,41 @@ QString decidingWords(const psychophysics::ConditionComparison& weber, const QLo
     return name + (words.startsWith(QLatin1Char('<')) ? QStringLiteral(" ") : QStringLiteral(" = ")) + words;
 }
 
+/// How many people a study would need to find a stated ratio. It follows from how much the differences
+/// between these people scatter, and not from the ratio that was found: a sample size that is reckoned from a
+/// ratio that was not significant says nothing new. Fewer than three people have no scatter worth the name.
+/// Of two groups, Welch's degrees of freedom are at most those used here, so the number is rather too high.
+QString howManyAreNeeded(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
+    constexpr double kRatio = 1.5, kPower = 0.8;
+    const int fewest = weber.paired ? weber.participants : std::min(weber.first, weber.second);
+    if (fewest < 3 || psychophysics::isUnbounded(weber.ratio95))
+        return Words::tr("How many participants are needed cannot be told from so few: the page Expected "
+                         "precision of the study tells it for the planned trials.");
+    const int freedom = weber.paired ? weber.participants - 1 : weber.first + weber.second - 2;
+    const double error = (std::log10(weber.ratio95.high) - std::log10(weber.ratio95.low)) /
+                         (2.0 * psychophysics::studentQuantile(0.975, freedom));
+    psychophysics::PowerQuestion question;
+    question.differenceLog10 = std::log10(kRatio);
+    question.runSdLog10 = 0.0; // part of the scatter
+    question.paired = weber.paired;
+    if (weber.paired)
+        question.effectSdLog10 = error * std::sqrt(static_cast<double>(weber.participants));
+    else
+        question.personSdLog10 = error / std::sqrt(1.0 / weber.first + 1.0 / weber.second);
+    const int needed = psychophysics::participantsFor(question, kPower);
+    if (needed >= 0 && needed <= fewest)
+        return {};
+    const QString ratio = locale.toString(kRatio, 'g', 2);
+    const QString number = needed < 0 ? Words::tr("more than %1").arg(locale.toString(1000))
+                                      : Words::tr("about %1").arg(locale.toString(needed));
+    return (weber.paired
+                ? Words::tr("If others scatter as these do, %1 participants in both conditions are needed to "
+                            "find, with 80 % power, a Weber fraction that is %2 times the other.")
+                : Words::tr("If others scatter as these do, %1 participants in each group are needed to "
+                            "find, with 80 % power, a Weber fraction that is %2 times the other."))
+        .arg(number, ratio);
+}
+
 /// That no difference was shown does not show that there is none: what remains possible.
 QString whatRemains(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
     const QString people =
@@ -49,11 +86,14 @@ QString whatRemains(const psychophysics::ConditionComparison& weber, const QLoca
             ? Words::tr("%1 participants in both conditions").arg(locale.toString(weber.participants))
             : Words::tr("two groups of %1 and %2 participants")
                   .arg(locale.toString(weber.first), locale.toString(weber.second));
-    if (psychophysics::isUnbounded(weber.ratio95))
-        return Words::tr("With %1, even a tenfold difference remains possible.").arg(people);
-    return Words::tr("With %1, every ratio in this interval remains possible: it is not shown that the two "
-                     "are alike.")
-        .arg(people);
+    QStringList said{psychophysics::isUnbounded(weber.ratio95)
+                         ? Words::tr("With %1, even a tenfold difference remains possible.").arg(people)
+                         : Words::tr("With %1, every ratio in this interval remains possible: it is not "
+                                     "shown that the two are alike.")
+                               .arg(people),
+                     howManyAreNeeded(weber, locale)};
+    said.removeAll(QString());
+    return said.join(QLatin1Char(' '));
 }
 
 QString whoIsCompared(const session::ComparedConditions& compared, const QString& first,
@@ -68,6 +108,19 @@ QString whoIsCompared(const session::ComparedConditions& compared, const QString
                                             study_report_words::codes(compared.secondPeople));
 }
 
+/// The statistical test that the p and the interval come from; empty where there is no p.
+QString testWords(const psychophysics::ConditionComparison& weber, const QLocale& locale) {
+    if (!std::isfinite(weber.pValue))
+        return {};
+    return weber.paired
+               ? Words::tr("Test: paired t test on the log Weber fractions (df = %1; random effects with "
+                           "the Hartung–Knapp correction, which weights participants by the precision of "
+                           "their values).")
+                     .arg(locale.toString(weber.participants - 1))
+               : Words::tr("Test: Welch's t test on the log Weber fractions of two independent groups "
+                           "(random effects with the Hartung–Knapp correction in each).");
+}
+
 QString verdictAlone(const psychophysics::ConditionComparison& weber, const QString& first,
                      const QString& second, const QLocale& locale) {
     constexpr double kShown = 0.05;
@@ -78,7 +131,8 @@ QString verdictAlone(const psychophysics::ConditionComparison& weber, const QStr
             .arg(first, second);
     if (decidingP(weber) > kShown) {
         const QString verdict =
-            Words::tr("No difference between “%1” and “%2” is shown (ratio %3, 95 % interval: %4; %5).")
+            Words::tr("The values show no difference between “%1” and “%2” (ratio %3, 95 % interval: "
+                      "%4; %5).")
                 .arg(first, second, study_report_words::number(weber.ratio, locale),
                      rangeWords(weber.ratio95, locale), decidingWords(weber, locale));
         return verdict + QLatin1Char(' ') +
@@ -111,9 +165,23 @@ QString predictionOrUnbounded(const psychophysics::Interval& prediction, const Q
 
 QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,
                           const QString& second, const QLocale& locale) {
-    const QString verdict = verdictAlone(compared.weber, first, second, locale);
-    const QString who = whoIsCompared(compared, first, second);
-    return who.isEmpty() ? verdict : verdict + QLatin1Char(' ') + who;
+    QStringList said{verdictAlone(compared.weber, first, second, locale), testWords(compared.weber, locale),
+                     whoIsCompared(compared, first, second)};
+    said.removeAll(QString());
+    return said.join(QLatin1Char(' '));
+}
+
+QString weberOfCondition(const psychophysics::GroupEstimate& group, const QString& name,
+                         const QLocale& locale) {
+    if (!std::isfinite(group.weber))
+        return {};
+    const QString value = study_report_words::percent(group.weber, locale);
+    const QString interval = intervalOrUnbounded(
+        group.weber95, study_report_words::intervalPercent(group.weber95.low, group.weber95.high, locale));
+    if (group.participants == 1) // its interval is of one person, not of a group
+        return Words::tr("“%1”: Weber fraction %2, of one participant.").arg(name, value);
+    return Words::tr("“%1”: Weber fraction %2 (95 % interval: %3), of %4 participants.")
+        .arg(name, value, interval, locale.toString(group.participants));
 }
 
 std::vector<QString> comparisonHeadings(bool thresholds) {
@@ -143,18 +211,19 @@ std::vector<QString> comparisonRow(const session::ComparedConditions& compared, 
 }
 
 QString comparisonNote(bool thresholds) {
-    const QString ratio = Words::tr("Ratio of the Weber fractions, 1 where both are alike; of the people who "
-                                    "have a value in both conditions if there are at least two, "
-                                    "otherwise of two groups, each with a value in only one of the two. "
-                                    "Adjusted: for this number of comparisons (Holm).");
+    const QString ratio =
+        Words::tr("Ratio of the Weber fractions; 1 means that both are alike. It comes from the "
+                  "people who have a value in both conditions if there are at least two of them, "
+                  "otherwise from two groups, each with a value in only one condition. Adjusted: "
+                  "for this number of comparisons (Holm).");
     if (!thresholds)
         return ratio;
     return ratio + QLatin1Char(' ') +
-           Words::tr("Separate thresholds: whether one threshold for each condition describes these people's "
-                     "answers better than a common one. This p is "
-                     "given only where the same people answered in both and answers did not choose the "
-                     "differences: after adaptive runs a fitted slope is "
-                     "biased, and p would be too small.");
+           Words::tr("Separate thresholds: whether one threshold for each condition describes these "
+                     "people's answers better than a common one. This p is given only where the "
+                     "same people answered in both and the differences did not depend on the "
+                     "answers: after adaptive runs a fitted slope is biased, and p would be too "
+                     "small.");
 }
 
 QString comparisonSealed() {

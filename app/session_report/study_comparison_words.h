@@ -16,9 +16,13 @@ std::vector<QString> comparisonHeadings(bool thresholds);
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first,
                                    const QString& second, bool thresholds, const QLocale& locale);
 /// What the comparison shows, in a sentence: by how much the Weber fractions differ, or that no difference is
-/// shown and what remains possible; then whose values are compared, by code.
+/// shown and what remains possible; then the statistical test, and whose values are compared, by code.
 QString comparisonVerdict(const session::ComparedConditions& compared, const QString& first,
                           const QString& second, const QLocale& locale);
+/// The group's Weber fraction of the condition with this name, its interval and the number of participants;
+/// empty if it has none.
+QString weberOfCondition(const psychophysics::GroupEstimate& group, const QString& name,
+                         const QLocale& locale);
 /// Returns `written`, or says that the confidence interval of a group is unbounded in practice
 /// (psychophysics::isUnbounded).
 QString intervalOrUnbounded(const psychophysics::Interval& interval, const QString& written);

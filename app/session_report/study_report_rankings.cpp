@@ -98,7 +98,7 @@ void StudyReportBlocks::addRankings(const session::AnalysedCondition& condition)
         addMuted(Words::tr("Each answer decided what came next, so one person's trials are not independent: "
                            "they have no interval and no p."));
     if (std::isfinite(group.wLow))
-        addMuted(Words::tr("W of the group, 95 % over its participants: %1")
+        addMuted(Words::tr("95 % interval for W of the group, from its participants: %1")
                      .arg(fixedInterval(group.wLow, group.wHigh, locale)));
     if (!group.plackettLuce.fitted && !group.thurstone.fitted)
         return addMuted(Words::tr(

@@ -161,6 +161,11 @@ void StudyReportBlocks::addComparisons() {
     if (m_data.blind())
         return addMuted(comparisonSealed());
     addMuted(groupRule());
+    for (std::size_t i = 0; i < analysis.conditions.size(); ++i)
+        if (const QString words =
+                weberOfCondition(analysis.conditions[i].group, m_data.conditionName(i), m_theme.locale);
+            !words.isEmpty())
+            addText(words, m_theme.font(13), m_theme.ink, 5);
     const bool thresholds = session::testsThresholds(analysis.comparisons);
     std::vector<std::vector<QString>> rows;
     for (const session::ComparedConditions& each : analysis.comparisons) {

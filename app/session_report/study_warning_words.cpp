@@ -150,16 +150,18 @@ QString ofGroup(const Warning& warning) {
         return Words::tr("%n simulated participant(s) are left out: the group contains only people.", nullptr,
                          n);
     case simulatedOnly:
-        return Words::tr("The group contains only simulated participants.");
+        return Words::tr("All participants here are simulated.");
     case notRenderedOfGroup:
-        return Words::tr("%n participant(s) of the group were simulated without rendering: the observers "
-                         "knew the values and felt nothing.",
+        return Words::tr("%n participant(s) were simulated without rendering: the observers knew the values "
+                         "and felt nothing.",
                          nullptr, n);
     case shownLeftOut:
         return Words::tr("%n participant(s) are left out of the group: objects were shown to them, not felt.",
                          nullptr, n);
     case shownInGroup:
-        return Words::tr("The group includes %n participant(s) to whom objects were shown, not felt.",
+        // True whether or not the answers give a value.
+        return Words::tr("Objects were shown to %n participant(s), not felt. Such runs are included on "
+                         "purpose: each counts in the group if its answers give a value.",
                          nullptr, n);
     default:
         return {};

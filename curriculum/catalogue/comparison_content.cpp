@@ -56,10 +56,19 @@ constexpr Fixed kFixed[] = {
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass",     "deformation",
                                                  "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
-constexpr const char* kOthers[] = {
-    "attribute",          "places",           "values",           "arrangements", "object",
-    "button_answers",     "button_needs_all", "probe_at_least_N", "adjusts",      "control",
-    "leave_before_again", "free_first"};
+constexpr const char* kOthers[] = {"attribute",
+                                   "places",
+                                   "values",
+                                   "arrangements",
+                                   "object",
+                                   "button_answers",
+                                   "button_needs_all",
+                                   "probe_at_least_N",
+                                   "adjusts",
+                                   "control",
+                                   "leave_before_again",
+                                   "free_first",
+                                   "touched_once_lifted"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -127,6 +136,9 @@ QJsonObject parametersJson(const Parameters& p) {
     // Absent in sessions of earlier versions, in which a raised tip could take hold again.
     if (p.leaveBeforeAgain)
         out["leave_before_again"] = true;
+    // Absent in sessions of earlier versions, in which an object that was pressed counted as touched.
+    if (p.touchedOnceLifted)
+        out["touched_once_lifted"] = true;
     // Absent in sessions without a free minute, and in those of earlier versions.
     if (p.freeFirst)
         out["free_first"] = true;
@@ -180,6 +192,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.adjusts = parameters.boolean("adjusts");
     if (parameters.has("leave_before_again"))
         p.leaveBeforeAgain = parameters.boolean("leave_before_again");
+    if (parameters.has("touched_once_lifted"))
+        p.touchedOnceLifted = parameters.boolean("touched_once_lifted");
     if (parameters.has("free_first"))
         p.freeFirst = parameters.boolean("free_first");
     for (const ParameterRow<Parameters>& row : yieldRows())
@@ -268,6 +282,7 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
     p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
     p.leaveBeforeAgain = p.attribute == simulation::ComparedAttribute::stiffness;
+    p.touchedOnceLifted = p.attribute == simulation::ComparedAttribute::mass;
     // No more is felt than the cap, so nobody who lifts an object and sets it down again gets there.
     if (p.attribute == simulation::ComparedAttribute::mass)
         p.yield.force_N = kLatestYield * p.maximumForce_N;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/object_content.h"
 
+#include "catalogue/parameter_rows.h"
 #include "simulation/geometry/mesh/mesh_import.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace chiron::catalogue {
 
@@ -14,63 +10,46 @@ namespace {
 
 using simulation::MeshSource;
 
-struct Key {
-    const char* name;
-    double MeshSource::*member;
-};
+using Row = ParameterRow<MeshSource>;
 
-constexpr double kMm = 1e3;
-
-constexpr Key kKeys[] = {
-    {"half_axis_x_mm", &MeshSource::halfAxisX_m},
-    {"half_axis_y_mm", &MeshSource::halfAxisY_m},
-    {"half_axis_z_mm", &MeshSource::halfAxisZ_m},
-    {"plate_radius_mm", &MeshSource::plateRadius_m},
-    {"plate_thickness_mm", &MeshSource::plateThickness_m},
-    {"edge_mm", &MeshSource::edge_m},
-    {"bump_height_mm", &MeshSource::bumpHeight_m},
-    {"bump_wavelength_mm", &MeshSource::bumpWavelength_m},
-};
-
-/// In the order of MeshSource::Shape.
-constexpr std::array<const char*, 4> kShapes{"none", "dome", "ellipsoid", "stored"};
-
-void readShape(const ObjectReader& json, MeshSource& out) {
-    const QString name = QString::fromStdString(json.text("shape"));
-    for (std::size_t i = 0; i < kShapes.size(); ++i)
-        if (name == QLatin1String(kShapes[i])) {
-            out.shape = static_cast<MeshSource::Shape>(i);
-            return;
-        }
-    json.problems().push_back(
-        {memberPath(json.path(), "shape"), quoted(name), QStringLiteral("none, dome, ellipsoid or stored")});
+const std::vector<Row>& meshRows() {
+    using Shape = MeshSource::Shape;
+    static const std::vector<Row> kRows{
+        Row::identifier("mesh", &MeshSource::id,
+                        "Name of the mesh in content/meshes whose shape holds where none is given here.")
+            .withoutDefault(),
+        Row::choice<Shape>("shape",
+                           {{"none", Shape::none},
+                            {"dome", Shape::dome},
+                            {"ellipsoid", Shape::ellipsoid},
+                            {"stored", Shape::stored}},
+                           &MeshSource::shape,
+                           "dome: a watertight half ball on a plate; ellipsoid: a closed organ; stored: the "
+                           "vertices and triangles given; none: no mesh."),
+        Row::number("half_axis_x_mm", units::kMm, {2, 100}, &MeshSource::halfAxisX_m,
+                    "Half axis along x; of a dome its radius, in all three."),
+        Row::number("half_axis_y_mm", units::kMm, {2, 100}, &MeshSource::halfAxisY_m, "Half axis along y."),
+        Row::number("half_axis_z_mm", units::kMm, {2, 100}, &MeshSource::halfAxisZ_m, "Half axis along z."),
+        Row::number("plate_radius_mm", units::kMm, {10, 200}, &MeshSource::plateRadius_m,
+                    "Dome: of the plate round it."),
+        Row::number("plate_thickness_mm", units::kMm, {1, 50}, &MeshSource::plateThickness_m,
+                    "Dome: of the plate."),
+        Row::number("edge_mm", units::kMm, {0.3, 20}, &MeshSource::edge_m, "Mean edge length asked for."),
+        Row::number("bump_height_mm", units::kMm, {0, 10}, &MeshSource::bumpHeight_m,
+                    "Amplitude of smooth bumps."),
+        Row::number("bump_wavelength_mm", units::kMm, {2, 100}, &MeshSource::bumpWavelength_m,
+                    "Wavelength of the bumps."),
+        Row::whole<std::uint64_t>("seed", {0, 1000000000}, &MeshSource::seed, "Of the bumps."),
+        Row::wholes<std::int32_t>("vertices_um", {0, 150000}, {-1000000, 1000000}, &MeshSource::vertices_um,
+                                  "One number.", "Stored: x, y, z by turns.", units::kUm.symbol)
+            .withoutDefault(),
+        Row::wholes<std::uint32_t>(
+            "triangles", {0, 300000}, {0, 49999}, &MeshSource::triangles, "One number.",
+            "Stored: three vertices a triangle, counted from 0, counter-clockwise from outside.")
+            .withoutDefault(),
+    };
+    return kRows;
 }
-
-template <class Whole> void readWholes(const ObjectReader& json, const char* key, std::vector<Whole>& out) {
-    if (!json.has(key))
-        return;
-    const QString path = memberPath(json.path(), key);
-    if (!json.json()[QLatin1String(key)].isArray()) {
-        json.problems().push_back(
-            {path, QStringLiteral("another type"), QStringLiteral("an array of whole numbers")});
-        return;
-    }
-    const QJsonArray array = json.json()[QLatin1String(key)].toArray();
-    for (qsizetype i = 0; i < array.size(); ++i) {
-        const double value = array[i].toDouble(std::numeric_limits<double>::quiet_NaN());
-        if (!(value == std::floor(value)) || value < static_cast<double>(std::numeric_limits<Whole>::min()) ||
-            value > static_cast<double>(std::numeric_limits<Whole>::max())) {
-            json.problems().push_back(
-                {elementPath(path, i), QStringLiteral("no whole number"), QStringLiteral("a whole number")});
-            return;
-        }
-        out.push_back(static_cast<Whole>(value));
-    }
-}
-
-} // namespace
-
-namespace {
 
 /// Returns whether an import repairs this problem without changing the surface. Anything else that it would
 /// have to change is refused here.
@@ -105,23 +84,17 @@ void checkSurface(const MeshSource& mesh, const QString& path, Problems& problem
 
 MeshSource readMesh(const ObjectReader& json) {
     MeshSource out;
-    std::vector<QString> known{QStringLiteral("mesh"), QStringLiteral("shape"), QStringLiteral("seed"),
-                               QStringLiteral("vertices_um"), QStringLiteral("triangles")};
-    for (const Key& key : kKeys) {
-        known.push_back(QLatin1String(key.name));
-        if (json.has(known.back()))
-            out.*key.member = json.number(known.back()) / kMm;
-    }
-    if (json.has("mesh"))
-        out.id = json.text("mesh");
-    if (json.has("shape"))
-        readShape(json, out);
-    if (json.has("seed"))
-        out.seed = static_cast<std::uint64_t>(std::max(0, json.integer("seed")));
-    readWholes(json, "vertices_um", out.vertices_um);
-    readWholes(json, "triangles", out.triangles);
-    refuseUnknownKeys(json, known, QStringLiteral("a key of a mesh"));
+    readParameters(meshRows(), json, QStringLiteral("a key of a mesh"), out);
     return out;
+}
+
+QByteArray meshSourceSchema() {
+    return parametersSchema(
+        {"A triangle mesh",
+         "A generator with its numbers, or the triangles themselves; the same values give "
+         "the same mesh. A level names a mesh of content/meshes and may change any value.",
+         JsonLayout::itemPerLine},
+        meshRows());
 }
 
 void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) {
@@ -133,8 +106,8 @@ void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) 
             wrong("triangles", QStringLiteral("given"),
                   QStringLiteral("none: only a stored mesh has its own"));
         if (mesh.bumpHeight_m > 0.0 && mesh.bumpWavelength_m < 4.0 * mesh.edge_m)
-            wrong("bump_wavelength_mm", QString::number(mesh.bumpWavelength_m * kMm),
-                  QStringLiteral("at least four edges, %1 mm").arg(4.0 * mesh.edge_m * kMm));
+            wrong("bump_wavelength_mm", QString::number(mesh.bumpWavelength_m * units::kMm.perSi),
+                  QStringLiteral("at least four edges, %1 mm").arg(4.0 * mesh.edge_m * units::kMm.perSi));
         return;
     }
     const std::size_t before = problems.size();

@@ -13,12 +13,13 @@ JsonNode ParameterWords::schema(const std::optional<JsonNode>& byDefault) const 
     return node;
 }
 
-double contentNumber(double si, double perSi) {
+double contentNumber(double si, const ContentUnit& unit) {
     constexpr int kFewest = 15, kEnough = 17;
+    const double number = si * unit.perSi / unit.inSi;
     for (int digits = kFewest; digits <= kEnough; ++digits)
-        if (const double given = QString::number(si * perSi, 'g', digits).toDouble(); given / perSi == si)
+        if (const double given = QString::number(number, 'g', digits).toDouble(); unit.toSi(given) == si)
             return given;
-    return si * perSi;
+    return number;
 }
 
 JsonNode flagType() {
@@ -48,6 +49,31 @@ JsonNode referenceType(const NamedKind& kind) {
     JsonNode node;
     node.add("$ref", JsonNode::text(QLatin1String(kind.contentSchema) + QStringLiteral(".json")));
     return node;
+}
+
+std::vector<std::int64_t> readWholes(const ObjectReader& json, const char* key,
+                                     const ParameterRange<std::int64_t>& range) {
+    const QString path = memberPath(json.path(), QLatin1String(key));
+    const QJsonValue given = json.json()[QLatin1String(key)];
+    if (!given.isArray()) {
+        json.problems().push_back(
+            {path, given.isUndefined() ? QStringLiteral("missing") : QStringLiteral("another type"),
+             QStringLiteral("an array of whole numbers")});
+        return {};
+    }
+    std::vector<std::int64_t> out;
+    const QJsonArray array = given.toArray();
+    for (qsizetype i = 0; i < array.size(); ++i) {
+        const double value = array[i].toDouble(std::numeric_limits<double>::quiet_NaN());
+        if (!(value == std::floor(value)) || value < static_cast<double>(range.least) ||
+            value > static_cast<double>(range.most)) {
+            json.problems().push_back(
+                {elementPath(path, i), QStringLiteral("no whole number"), QStringLiteral("a whole number")});
+            return out;
+        }
+        out.push_back(static_cast<std::int64_t>(value));
+    }
+    return out;
 }
 
 void refuseWord(const ObjectReader& json, const char* key, const std::string& given,

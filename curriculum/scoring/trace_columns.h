@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
 #include "scoring/trace_rows.h"
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace chiron::scoring {
@@ -60,6 +62,11 @@ std::span<const TraceColumn> traceColumns();
 
 /// Returns the position in traceColumns(), or -1.
 int findTraceColumn(std::string_view name);
+
+/// readTraceCsv() (trace_csv.h) of a file that may have the columns `known` instead of traceColumns(). They
+/// must outlive the rows.
+core::Result<TraceRows> readTraceCsv(std::string_view text, const std::string& name,
+                                     std::span<const TraceColumn> known);
 
 inline constexpr std::string_view kQuantityPrefix = "quantity_"; ///< + id: quantity of the scene,
                                                                  ///< core::QuantityDescription

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -46,7 +47,10 @@ struct Column {
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& name) : m_text(text) { m_out.source = name; }
+    Reader(std::string_view text, const std::string& name, std::span<const TraceColumn> known)
+        : m_text(text), m_known(known) {
+        m_out.source = name;
+    }
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
@@ -92,16 +96,19 @@ private:
     }
 
     core::Result<void> readHeader(std::string_view line) {
-        std::vector<bool> seen(traceColumns().size(), false);
+        std::vector<bool> seen(m_known.size(), false);
         for (std::size_t start = 0, number = 1; start <= line.size(); ++number) {
             const std::size_t end = std::min(line.find(',', start), line.size());
             const std::string_view name = line.substr(start, end - start);
             start = end + 1;
-            if (const int column = findTraceColumn(name); column >= 0) {
-                if (seen[static_cast<std::size_t>(column)])
+            const auto column = std::find_if(m_known.begin(), m_known.end(),
+                                             [&](const TraceColumn& one) { return one.name == name; });
+            if (column != m_known.end()) {
+                const auto place = static_cast<std::size_t>(column - m_known.begin());
+                if (seen[place])
                     return refuse(number, shown(name), "each column once");
-                seen[static_cast<std::size_t>(column)] = true;
-                m_columns.push_back({&traceColumns()[static_cast<std::size_t>(column)], nullptr, 0});
+                seen[place] = true;
+                m_columns.push_back({&m_known[place], nullptr, 0});
             } else if (auto named = addNamed(name, number); !named) {
                 return named;
             }
@@ -128,8 +135,8 @@ private:
 
     core::Result<void> checkGroups(const std::vector<bool>& seen) {
         TraceColumns& present = m_out.columns;
-        for (std::size_t i = 0; i < traceColumns().size(); ++i) {
-            const TraceColumn& column = traceColumns()[i];
+        for (std::size_t i = 0; i < m_known.size(); ++i) {
+            const TraceColumn& column = m_known[i];
             if (seen[i] && column.owner != nullptr) {
                 if (present.own != nullptr && present.own != column.owner)
                     return refuse(1, std::string(column.name),
@@ -140,24 +147,24 @@ private:
                 present.*column.group = true;
             }
         }
-        for (std::size_t i = 0; i < traceColumns().size(); ++i)
-            if (const TraceColumn& column = traceColumns()[i]; !seen[i] && column.presentIn(present))
+        for (std::size_t i = 0; i < m_known.size(); ++i)
+            if (const TraceColumn& column = m_known[i]; !seen[i] && column.presentIn(present))
                 return refuse(1, "no column \"" + std::string(column.name) + "\"",
                               column.group == nullptr && column.owner == nullptr
                                   ? "t_s,x_mm,y_mm,z_mm at least"
                                   : "all columns of its group or none of them");
         if (present.own == nullptr || present.own->required == nullptr || present.*present.own->required)
             return {};
-        for (const TraceColumn& column : traceColumns())
+        for (const TraceColumn& column : m_known)
             if (column.group == present.own->required)
                 return refuse(1, "no column \"" + std::string(column.name) + "\"",
                               "it beside those of " + std::string(present.own->of));
         return {};
     }
 
-    static std::string allNames() {
+    std::string allNames() const {
         std::string names;
-        for (const TraceColumn& column : traceColumns())
+        for (const TraceColumn& column : m_known)
             names.append(names.empty() ? "" : ",").append(column.name);
         for (const std::string_view prefix : {kQuantityPrefix, kTruthPrefix})
             names.append(",").append(prefix).append("<id>");
@@ -280,6 +287,7 @@ private:
     }
 
     std::string_view m_text;
+    std::span<const TraceColumn> m_known; ///< every column that a file may have, except named ones
     std::size_t m_line = 0;
     std::vector<Column> m_columns;
     std::array<double, 4> m_lastTime{};
@@ -289,7 +297,12 @@ private:
 } // namespace
 
 core::Result<TraceRows> readTraceCsv(std::string_view text, const std::string& name) {
-    return Reader(text, name).read();
+    return readTraceCsv(text, name, traceColumns());
+}
+
+core::Result<TraceRows> readTraceCsv(std::string_view text, const std::string& name,
+                                     std::span<const TraceColumn> known) {
+    return Reader(text, name, known).read();
 }
 
 } // namespace chiron::scoring

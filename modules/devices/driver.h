@@ -4,6 +4,7 @@
 #include "core/geometry.h"
 #include "core/result.h"
 #include "devices/api/device.h"
+#include "devices/api/driven_axes.h"
 #include "devices/api/hand_input.h"
 #include "devices/api/trace_point.h"
 #include "mechanisms/hand_parameters.h"
@@ -46,6 +47,9 @@ struct ToolRequest {
     std::optional<double> startHeight_m{};
     std::unique_ptr<mechanisms::HandStrategy> strategy{}; ///< MovedBy::scriptedOperator: never null
     std::vector<TracePoint> trace{};                      ///< MovedBy::recording: never empty
+    /// Where its device is connected, as its driver's README says. Empty: none was named. Drivers without
+    /// connected devices ignore it.
+    std::string address{};
 };
 
 /// A session's request to a driver. A driver uses what concerns it and ignores the rest.
@@ -79,6 +83,8 @@ struct DriverTool {
     HandInput input{}; ///< of the device
     /// An earlier tool of the request on whose base this one stands; empty: it has a base of its own.
     std::optional<std::size_t> standsOn{};
+    /// The motors of a mechanism that is computed inside the program; null for every other device.
+    IDrivenAxes* axes = nullptr;
 };
 
 /// A device that is present and can be used.

@@ -4,6 +4,7 @@
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_driver.h"
 #include "devices/drivers/replay/replay_driver.h"
 #include "devices/drivers/simulated/simulated_driver.h"
+#include "devices/drivers/station/station_driver.h"
 
 #include <array>
 
@@ -14,6 +15,7 @@ constexpr std::array kDrivers{
     &kSimulatedDriver,
     &kKeyboardMouseDriver,
     &kReplayDriver,
+    &kStationDriver,
 };
 
 template <class Fits> const Driver* firstThat(Fits fits) noexcept {

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QHash>
 #include <QRegularExpression>
+#include <QSet>
 #include <QtTest>
 
 #include <algorithm>
@@ -118,6 +119,57 @@ constexpr Listed kLists[]{
     {"curriculum", "catalogue", "curriculum/catalogue/exercise_contents.cpp"},
 };
 
+/// A function of a shared interface that has a default, which a single exercise overrides, and the property
+/// that it names: of the device, the tissue, the recording or the study. Any other exercise may have it.
+struct OfOne {
+    const char* function;
+    const char* names;
+};
+constexpr OfOne kOfOne[]{
+    {"ExerciseFace::depthOfField", "the instrument has a camera with a lens"},
+    {"ExerciseFace::resultsPart", "recordings of several sessions are judged together"},
+    {"ExerciseKind::caps", "the device is asked for torques"},
+    {"ExerciseKind::depthAt_m", "the instrument is in the body, and the recording tells how deep"},
+    {"ExerciseKind::markSessions", "a study's condition is answered by marks"},
+    {"ExerciseKind::sceneEvents", "the recording has event bits of the scene"},
+    {"ExerciseReporter::toolName", "the tools are fingers of one hand and no instruments"},
+    {"IFlatContent::paintWhole", "the camera is in the body"},
+    {"LivePart::commands", "the pointer is held by the tool, so reports of the task have keys"},
+    {"LivePart::guide", "the device is moved in a way of its own"},
+    {"LivePart::lean_rad", "the tissue's surface has a normal from which a force can lean"},
+    {"OwnTrace::way", "the recording has a line that the tip has to follow"},
+    {"PlaybackLayer::lost", "something cannot be read from the recording"},
+    {"PlaybackLayer::setUp", "the camera's settings can be changed while it is watched"},
+};
+
+/// "Interface::function" of each virtual function with a default that the header declares.
+QStringList functionsWithDefault(const QString& code) {
+    static const QRegularExpression part(
+        QStringLiteral("\\bclass\\s+(\\w+)[^;{]*\\{|\\bvirtual\\b[^;{}=]*?[\\s&*>](\\w+)\\s*\\((?:[^()]|\\([^"
+                       "()]*\\))*\\)([^;{]*)[;{]"));
+    QStringList found;
+    QString interface;
+    for (auto it = part.globalMatch(code); it.hasNext();) {
+        const auto each = it.next();
+        if (!each.captured(1).isEmpty())
+            interface = each.captured(1);
+        else if (!each.captured(3).contains(u'='))
+            found << interface + QStringLiteral("::") + each.captured(2);
+    }
+    return found;
+}
+
+/// The names of the functions that a file overrides.
+QSet<QString> overriddenIn(const QString& code) {
+    static const QRegularExpression function(
+        QStringLiteral("(\\w+)\\s*\\((?:[^()]|\\([^()]*\\))*+\\)[^;{}()]*\\boverride\\b"));
+    QSet<QString> found;
+    if (code.contains(QLatin1String("override")))
+        for (auto it = function.globalMatch(code); it.hasNext();)
+            found.insert(it.next().captured(1));
+    return found;
+}
+
 } // namespace
 
 /// What belongs to one exercise stands in its folders (docs/exercises-as-slices.md).
@@ -136,6 +188,8 @@ private slots:
     void everyExerciseIsInTheLists();
     void everyHeaderHasANameOfItsOwn();
     void cuesAreAskedForInOnePlace();
+    void functionsWithADefaultAreFound();
+    void whatOneExerciseOverridesNamesAProperty();
 };
 
 void TestExerciseSlices::codeIsReadWithoutComments() {
@@ -349,6 +403,59 @@ void TestExerciseSlices::cuesAreAskedForInOnePlace() {
             readSource(contentOf(path)).code.contains(search))
             wrong << path;
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+void TestExerciseSlices::functionsWithADefaultAreFound() {
+    const QString code = QStringLiteral("class A {\n virtual ~A() = default;\n virtual int a() const = 0;\n"
+                                        " virtual std::vector<int> b(const P& p = {}) const { return {}; }\n"
+                                        " virtual F* c(int (*f)(int));\n int d();\n};\n"
+                                        "class B final : public A {\n virtual void e() {}\n"
+                                        " std::vector<int> b(const P&) const override;\n};\n");
+    QCOMPARE(functionsWithDefault(code),
+             (QStringList{QStringLiteral("A::b"), QStringLiteral("A::c"), QStringLiteral("B::e")}));
+    QCOMPARE(overriddenIn(code), QSet<QString>{QStringLiteral("b")});
+}
+
+/// A default that only one exercise replaces is that exercise's special case, unless it names something that
+/// any exercise may have.
+void TestExerciseSlices::whatOneExerciseOverridesNamesAProperty() {
+    static const QRegularExpression own(QStringLiteral("/exercises/([a-z0-9_]+)/"));
+    QHash<QString, QString> shared;                    // path → code
+    QHash<QString, QStringList> overridesShared;       // function → paths
+    QHash<QString, QSet<QString>> overridesOfExercise; // function → exercises
+    for (const QString& path : productSources()) {
+        const QString code = readSource(contentOf(path)).code;
+        const auto exercise = own.match(path);
+        if (!exercise.hasMatch())
+            shared[path] = code;
+        for (const QString& function : overriddenIn(code))
+            if (exercise.hasMatch())
+                overridesOfExercise[function].insert(exercise.captured(1));
+            else
+                overridesShared[function] << path;
+    }
+    QStringList found;
+    for (auto header = shared.cbegin(); header != shared.cend(); ++header) {
+        if (!header.key().endsWith(QLatin1String(".h")))
+            continue;
+        for (const QString& each : functionsWithDefault(header.value())) {
+            const QString interface = each.section(QStringLiteral("::"), 0, 0),
+                          function = each.section(QStringLiteral("::"), 1);
+            if (overridesOfExercise.value(function).size() != 1)
+                continue;
+            // Another interface may have a function of the same name.
+            const QRegularExpression derived(QStringLiteral("\\bpublic\\s+(\\w+::)*%1\\b").arg(interface));
+            const QStringList paths = overridesShared.value(function);
+            if (std::none_of(paths.begin(), paths.end(),
+                             [&](const QString& path) { return shared[path].contains(derived); }))
+                found << each;
+        }
+    }
+    found.sort();
+    QStringList known;
+    for (const OfOne& each : kOfOne)
+        known << QLatin1String(each.function);
+    QCOMPARE(found.join(u'\n'), known.join(u'\n'));
 }
 
 QTEST_GUILESS_MAIN(TestExerciseSlices)

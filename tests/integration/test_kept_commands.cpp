@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace {
 
@@ -45,32 +46,40 @@ QString masked(QString text, const QString& folder) {
 
 /// A table as its columns: how many cells they have, the mean of numbers, how many different words.
 QString summaryOf(const QByteArray& bytes, QChar separator) {
-    const QStringList lines = QString::fromUtf8(bytes).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    const QStringList names = lines.value(0).split(separator);
-    QString text = QStringLiteral("%1 rows\n").arg(lines.size() - 1);
-    for (qsizetype column = 0; column < names.size(); ++column) {
+    struct Column {
         double sum = 0.0, squares = 0.0;
         int numbers = 0;
         QSet<QString> words;
-        for (qsizetype row = 1; row < lines.size(); ++row) {
-            const QString cell = lines[row].split(separator).value(column);
+    };
+    const QStringList lines = QString::fromUtf8(bytes).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList names = lines.value(0).split(separator);
+    std::vector<Column> columns(static_cast<std::size_t>(names.size()));
+    for (const QString& line : lines.mid(1)) {
+        const QStringList cells = line.split(separator);
+        for (qsizetype i = 0; i < names.size(); ++i) {
+            Column& column = columns[static_cast<std::size_t>(i)];
+            const QString cell = cells.value(i);
             bool isNumber = false;
             const double x = cell.toDouble(&isNumber);
             if (isNumber) {
-                ++numbers;
-                sum += x;
-                squares += x * x;
+                ++column.numbers;
+                column.sum += x;
+                column.squares += x * x;
             } else {
-                words << cell;
+                column.words << cell;
             }
         }
-        text += QStringLiteral("  %1: ").arg(names[column]);
-        text += numbers > 0 ? QStringLiteral("%1 numbers, mean %2, rms %3; ")
-                                  .arg(numbers)
-                                  .arg(sum / numbers, 0, 'g', 7)
-                                  .arg(std::sqrt(squares / numbers), 0, 'g', 7)
-                            : QString();
-        text += QStringLiteral("%1 words\n").arg(words.size());
+    }
+    QString text = QStringLiteral("%1 rows\n").arg(lines.size() - 1);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const Column& column = columns[static_cast<std::size_t>(i)];
+        text += QStringLiteral("  %1: ").arg(names[i]);
+        text += column.numbers > 0 ? QStringLiteral("%1 numbers, mean %2, rms %3; ")
+                                         .arg(column.numbers)
+                                         .arg(column.sum / column.numbers, 0, 'g', 7)
+                                         .arg(std::sqrt(column.squares / column.numbers), 0, 'g', 7)
+                                   : QString();
+        text += QStringLiteral("%1 words\n").arg(column.words.size());
     }
     return text;
 }

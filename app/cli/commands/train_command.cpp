@@ -5,6 +5,7 @@
 #include "cli/site_access.h"
 #include "core/units.h"
 #include "database/accounts/account_service.h"
+#include "devices/driver_catalogue.h"
 #include "devices/kinematics_catalogue.h"
 #include "session/exercise_kind.h"
 #include "session/site.h"
@@ -53,6 +54,35 @@ core::Result<std::array<double, 3>> baseTurnOf(const Arguments& arguments) {
     return turn_rad;
 }
 
+/// Who or what moves the tools: a scripted operator, a trace, or whoever holds a device that is connected.
+core::Result<void> takeMover(const Arguments& arguments, session::ScriptedSession& asked) {
+    const bool held = arguments.has(QStringLiteral("device"));
+    if (held == arguments.has(QStringLiteral("operator")))
+        return wrongUse(held ? QStringLiteral("--operator and --device: expected one of them: whoever holds "
+                                              "the device moves it")
+                             : QStringLiteral("--operator is missing; expected --operator NAME|TRACE.csv, or "
+                                              "--device ID; see chiron-cli train --help"));
+    asked.operatorName = arguments.value(QStringLiteral("operator")).toStdString();
+    if (!held) {
+        if (arguments.has(QStringLiteral("address")))
+            return wrongUse(QStringLiteral("--address: means nothing without --device"));
+        return {};
+    }
+    asked.driver = arguments.value(QStringLiteral("device")).toStdString();
+    if (devices::findDriver(asked.driver) == nullptr)
+        return wrongUse(QStringLiteral("--device: %1: unknown; see chiron-cli device list")
+                            .arg(quoted(arguments.value(QStringLiteral("device")))));
+    for (const QString& address :
+         arguments.value(QStringLiteral("address")).split(QLatin1Char(','), Qt::SkipEmptyParts))
+        asked.addresses.push_back(address.toStdString());
+    for (const char* option : {"force-map", "mechanism"})
+        if (arguments.has(QLatin1String(option)))
+            return wrongUse(
+                QStringLiteral("--%1: the device states its own; expected it with --operator alone")
+                    .arg(QLatin1String(option)));
+    return {};
+}
+
 core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& arguments,
                                                          const catalogue::Catalogue& catalogue) {
     session::ScriptedSession asked;
@@ -61,7 +91,7 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     if (!exercise)
         return badInput(QStringLiteral("EXERCISE %1: unknown; see chiron-cli exercise list")
                             .arg(quoted(arguments.operand(0))));
-    asked.operatorName = arguments.value(QStringLiteral("operator")).toStdString();
+    CHIRON_TRY(takeMover(arguments, asked));
     auto seed = arguments.seed(QStringLiteral("seed"), 1);
     CHIRON_TRY(seed);
     asked.seed = *seed;
@@ -72,7 +102,7 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
         maps << QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
     const auto map = arguments.choice(QStringLiteral("force-map"), maps, maps.front());
     CHIRON_TRY(map);
-    asked.forceMap = map->toStdString();
+    asked.forceMap = asked.driver.empty() ? map->toStdString() : std::string();
     asked.mechanism = arguments.value(QStringLiteral("mechanism")).toStdString();
     auto turn = baseTurnOf(arguments);
     CHIRON_TRY(turn);
@@ -181,12 +211,19 @@ std::vector<CommandSpec> trainCommands() {
     };
     CommandSpec command;
     command.group = QStringLiteral("train");
-    command.summary = QStringLiteral("run one session with a scripted hand or a trace; recorded and scored");
+    command.summary =
+        QStringLiteral("run one session with a scripted hand, a trace or a device; recorded and scored");
     command.operands = {{QStringLiteral("EXERCISE"), QStringLiteral("id of an exercise, see exercise list")}};
     command.options = {
         {QStringLiteral("level"), QStringLiteral("N|all"), QStringLiteral("which level; default: 1")},
         {QStringLiteral("operator"), QStringLiteral("NAME|TRACE.csv"),
-         QStringLiteral("novice, intermediate, expert, unsafe, or a trace file"), true},
+         QStringLiteral("novice, intermediate, expert, unsafe, or a trace file")},
+        {QStringLiteral("device"), QStringLiteral("ID"),
+         QStringLiteral("instead of an operator: a connected device that somebody holds, see device list; by "
+                        "its clock; with --as it is that person's session")},
+        {QStringLiteral("address"), QStringLiteral("ADDRESS"),
+         QStringLiteral("with --device: where it is connected, one for each tool, separated by commas: "
+                        "tcp:HOST:PORT or serial:/dev/NAME")},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of scene and hand; default: 1")},
         {QStringLiteral("realtime"),
          {},

@@ -169,13 +169,13 @@ void AccountScreen::loadRecovery() {
         },
         [this](const core::Result<bool>& has) {
             m_hasRecoveryCode = has.value_or(false);
-            m_recoveryState->setText(!has ? tr("It could not be read whether you have one.\n%1")
-                                                .arg(inWords(has.error(), Tried::reading))
-                                     : m_hasRecoveryCode
-                                         ? tr("You have one. If it is lost or somebody else may have seen "
-                                              "it, make a new one; it replaces the present one.")
-                                         : tr("You have none yet. Without it, only another administrator can "
-                                              "help you if you forget your password."));
+            m_recoveryState->setText(
+                !has ? tr("The program could not read whether you have a recovery code.\n%1")
+                           .arg(inWords(has.error(), Tried::reading))
+                : m_hasRecoveryCode ? tr("You have one. If it is lost or somebody else may have seen "
+                                         "it, make a new one; it replaces the present one.")
+                                    : tr("You have none yet. Without it, only another administrator can "
+                                         "help you if you forget your password."));
         });
 }
 

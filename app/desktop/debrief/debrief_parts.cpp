@@ -155,7 +155,7 @@ QWidget* DebriefScreen::decisionsBox() {
         const QString day = context().locale().toString(when.toLocalTime(), QLocale::ShortFormat);
         auto* line =
             kit::label(theme, decision.voiding ? tr("Voided on %1 by %2: %3").arg(day, who, why)
-                                               : tr("Counted again on %1 by %2: %3").arg(day, who, why));
+                                               : tr("Set to count again on %1 by %2: %3").arg(day, who, why));
         line->setObjectName(QStringLiteral("debrief.decision"));
         box.layout->addWidget(line);
     }

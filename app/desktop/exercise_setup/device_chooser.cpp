@@ -41,9 +41,12 @@ const devices::ForceMaps* forceMapsOf(const session::ExerciseKind* kind) {
 }
 
 /// The person's own devices first, then demonstrations, then recordings, each group in the catalogue's order.
+/// A driver whose device is not here is not offered; the station screen lists it.
 std::vector<const devices::Driver*> driversInOrder() {
-    const auto all = devices::driverCatalogue();
-    std::vector<const devices::Driver*> drivers(all.begin(), all.end());
+    std::vector<const devices::Driver*> drivers;
+    for (const devices::Driver* driver : devices::driverCatalogue())
+        if (driver->movedBy != devices::MovedBy::person || !driver->discover().empty())
+            drivers.push_back(driver);
     std::stable_sort(drivers.begin(), drivers.end(),
                      [](const auto* a, const auto* b) { return a->movedBy < b->movedBy; });
     return drivers;
@@ -216,7 +219,9 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
-    const bool possible = !plan.movedBy(devices::MovedBy::scriptedOperator) || m_operator->count() > 0;
+    const bool offered = std::find(m_drivers.begin(), m_drivers.end(), plan.driver) != m_drivers.end();
+    const bool possible =
+        offered && (!plan.movedBy(devices::MovedBy::scriptedOperator) || m_operator->count() > 0);
     show(possible ? *plan.driver : *m_drivers.front());
 }
 

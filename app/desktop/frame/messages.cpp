@@ -15,7 +15,7 @@ QString inWords(const core::Error& error, Tried tried) {
     switch (error.code) {
     case core::ErrorCode::notAllowed:
         advice = words(QT_TRANSLATE_NOOP(
-            "ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
+            "ErrorWords", "Your account does not permit this. If you need it, ask an administrator."));
         break;
     case core::ErrorCode::notFound:
         advice = tried == Tried::opening

@@ -242,9 +242,8 @@ void HomeScreen::addResearcher(QVBoxLayout& column) {
     addStudies(column);
     column.addWidget(stateCard({QStringLiteral("study_run"),
                                 tr("Run"),
-                                tr("Guide a participant through a study, by code and in their own order. "
-                                   "Interrupted runs continue where "
-                                   "they stopped."),
+                                tr("Guide a participant through a study by code, in the order set for them. "
+                                   "Interrupted runs continue where they stopped."),
                                 "info",
                                 {},
                                 tr("Run a study")}));

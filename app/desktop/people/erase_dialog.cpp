@@ -17,11 +17,12 @@ EraseDialog::EraseDialog(AppContext& context, database::Person person, QWidget* 
     column()->addWidget(
         kit::notice(theme(), "bad",
                     tr("This cannot be undone. Disabling the account keeps everything and can be undone.")));
-    auto* which = kit::label(theme(),
-                             tr("This erases an account, and who the person was in studies whose key names "
-                                "the account. A participant who is known by a code alone is "
-                                "erased with \"Erase a participant\"."),
-                             TextStyle::body, "muted");
+    auto* which =
+        kit::label(theme(),
+                   tr("This erases an account, and the identity of the person in studies whose key "
+                      "table lists the account. A participant who is known only by a code is erased "
+                      "with \"Erase a participant\"."),
+                   TextStyle::body, "muted");
     which->setObjectName(QStringLiteral("erase.which"));
     column()->addWidget(which);
     column()->addWidget(

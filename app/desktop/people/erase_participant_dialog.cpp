@@ -12,14 +12,14 @@
 namespace chiron::desktop {
 
 EraseParticipantDialog::EraseParticipantDialog(AppContext& context, QWidget* parent)
-    : ErasureDialog(context, QStringLiteral("erase_participant"), tr("Erase a participant of a study"),
-                    parent) {
+    : ErasureDialog(context, QStringLiteral("erase_participant"), tr("Erase a study participant"), parent) {
     column()->addWidget(kit::notice(theme(), "bad", tr("This cannot be undone.")));
-    auto* which = kit::label(theme(),
-                             tr("This erases who stands behind the code in one study; an account of the same "
-                                "person stays. To erase an account, choose the person "
-                                "in the list and press \"Erase\"."),
-                             TextStyle::body, "muted");
+    auto* which =
+        kit::label(theme(),
+                   tr("This erases the identity behind the code in one study; if the same person has "
+                      "an account, it stays. To erase an account, choose the person in the list and "
+                      "press \"Erase\"."),
+                   TextStyle::body, "muted");
     which->setObjectName(QStringLiteral("erase_participant.which"));
     column()->addWidget(which);
     column()->addWidget(kit::label(theme(), tr("Participant who has withdrawn"), TextStyle::label));

@@ -42,13 +42,14 @@ FormDialog::FormDialog(AppContext& context, const QString& objectName, const QSt
     m_page->column()->addWidget(m_notice);
     m_page->column()->addStretch();
     auto* row = new QHBoxLayout;
+    m_buttons = row;
     row->setContentsMargins(theme.px(24), 0, theme.px(24), 0);
     m_cancel = kit::button(theme, tr("Cancel"));
     m_cancel->setObjectName(objectName + QStringLiteral(".cancel"));
     m_accept = kit::button(theme, {}, "primary");
     m_accept->setObjectName(objectName + QStringLiteral(".accept"));
     row->addWidget(m_cancel);
-    row->addStretch();
+    row->addStretch(1);
     row->addWidget(m_accept);
     column->addLayout(row);
     connect(m_cancel, &QPushButton::clicked, this, &FormDialog::reject);
@@ -83,8 +84,20 @@ void FormDialog::cancelAtEnter() {
     m_cancel->setFocus();
 }
 
-void FormDialog::setAcceptable(bool acceptable) {
+void FormDialog::setAcceptable(bool acceptable, const QString& whyNot) {
     m_acceptable = acceptable;
+    if (!m_whyNot && !whyNot.isEmpty()) {
+        m_whyNot = kit::label(theme(), {}, TextStyle::small, "muted");
+        m_whyNot->setObjectName(objectName() + QStringLiteral(".why_not"));
+        m_whyNot->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        constexpr int kMostOfTheRow = 100; // what is left beside the buttons; the stretch keeps a little
+        m_buttons->insertWidget(m_buttons->indexOf(m_accept), m_whyNot, kMostOfTheRow);
+    }
+    if (m_whyNot) {
+        m_whyNot->setText(acceptable ? QString() : whyNot);
+        m_whyNot->setVisible(!m_whyNot->text().isEmpty());
+    }
+    m_accept->setAccessibleDescription(acceptable ? QString() : whyNot);
     renew();
 }
 
@@ -113,6 +126,8 @@ void FormDialog::showResult(QWidget* result) {
     m_body->hide();
     m_page->column()->insertWidget(0, result);
     m_accept->hide();
+    if (m_whyNot)
+        m_whyNot->hide();
     m_cancel->setText(tr("Close"));
     m_cancel->setDefault(true);
     renew();

@@ -5,6 +5,8 @@
 
 #include <QDialog>
 
+class QHBoxLayout;
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -34,7 +36,9 @@ protected:
     /// Object name of the button is "<dialog>.accept".
     void setAccept(const QString& text, const char* kind = "primary");
     void setCancel(const QString& text); ///< a label for cancelling where "Cancel" is unclear
-    void setAcceptable(bool acceptable); ///< true if the form is complete
+    /// `acceptable`: the form is complete. Otherwise `whyNot` stands beside the button: the reason, and what
+    /// to do.
+    void setAcceptable(bool acceptable, const QString& whyNot = {});
     /// For actions that cannot be undone and require no typing: makes Cancel the default button, so that
     /// Enter cancels. Call it after setAccept().
     void cancelAtEnter();
@@ -67,6 +71,8 @@ private:
     NoticeArea* m_notice;
     QPushButton* m_accept;
     QPushButton* m_cancel;
+    QHBoxLayout* m_buttons;
+    QLabel* m_whyNot = nullptr; ///< made when there is something to say
     bool m_acceptable = false;
     bool m_working = false;
 };

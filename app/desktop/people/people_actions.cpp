@@ -69,7 +69,7 @@ std::vector<ScreenCommand> PeopleScreen::commands() {
         {tr("Add a person"), QKeySequence(Qt::CTRL | Qt::Key_N), [this] { addPerson(); }},
         {tr("Import roster"), {}, [this] { askRoster(); }},
         {tr("Save a template for a roster"), {}, [this] { askTemplate(); }},
-        {tr("Erase a participant of a study"), {}, [this] { eraseParticipant(); }},
+        {tr("Erase a study participant"), {}, [this] { eraseParticipant(); }},
         {tr("Find a person"), QKeySequence::Find, [this] { m_search->setFocus(); }}};
     const auto withPerson = [this, &list](const QString& text, void (PeopleScreen::*act)()) {
         list.push_back({text, {}, [this, act] {

@@ -49,20 +49,18 @@ QString PeopleScreen::title() const {
 }
 
 QString PeopleScreen::help() const {
-    return tr("Everybody who has an account on this site.\n\nChoose a person in the list, then an action "
-              "below it. Changing roles and "
-              "disabling take effect at once and can be undone. A person who gets a new password has to "
-              "change it at the next "
-              "login.\n\n\"Edit\" changes a person's name or login name; the earlier ones stay in the "
-              "history.\n\n\"Import roster\" reads a "
-              "CSV file as a spreadsheet saves it, with headings such as login name, full name and role "
-              "(\"Save a template\" makes one), and "
-              "first shows what will happen: either everything in the file is done, or nothing. Passwords "
-              "are made for new people and can be "
-              "printed as slips.\n\n\"Export all data\" writes all data about a person to one "
-              "file. \"Erase\" permanently removes a person's identity. \"Erase a participant\" does the "
-              "same for somebody who has withdrawn from a study and need "
-              "not have an account.");
+    return tr("Everybody who has an account on this site.\n\nChoose a person in the list, "
+              "then an action below it. Changing roles and disabling take effect at once and "
+              "can be undone. A person who gets a new password has to change it at the next "
+              "login.\n\n\"Edit\" changes a person's name or login name; the earlier ones "
+              "stay in the history.\n\n\"Import roster\" reads a CSV file as a spreadsheet "
+              "saves it, with headings such as login name, full name and role (\"Save a "
+              "template\" makes one), and first shows what will happen: either everything in "
+              "the file is done, or nothing. Passwords are made for new people and can be "
+              "printed as slips.\n\n\"Export all data\" writes all data about a person to "
+              "one file. \"Erase\" permanently removes a person's identity. \"Erase a "
+              "participant\" does the same for somebody who has withdrawn from a study, even "
+              "if they have no account.");
 }
 
 QWidget* PeopleScreen::headRow() {
@@ -89,8 +87,8 @@ QWidget* PeopleScreen::headRow() {
     auto* participant = kit::button(theme, tr("Erase a participant …"), "", QStringLiteral("edit-delete"));
     participant->setObjectName(QStringLiteral("people.erase_participant"));
     connect(participant, &QPushButton::clicked, this, &PeopleScreen::eraseParticipant);
-    tellApart(*participant, tr("Permanently removes the identity of somebody who took part in a study and "
-                               "need not have an account here."));
+    tellApart(*participant, tr("Permanently removes the identity of somebody who took part in a study, even "
+                               "if they have no account here."));
     row->addWidget(participant);
     column->addWidget(buttons);
     m_search = new QLineEdit;
@@ -293,8 +291,8 @@ void PeopleScreen::renewActions() {
     const QString name = QString::fromStdString(person->name);
     const QString full = QString::fromStdString(person->displayName);
     m_chosenName->setText(full.isEmpty() ? name : tr("%1 (%2)").arg(full, name));
-    m_chosenWords->setText(tr("Code %1: what researchers see in the place of the name.")
-                               .arg(QString::fromStdString(person->code)));
+    m_chosenWords->setText(
+        tr("Code %1: what researchers see in place of the name.").arg(QString::fromStdString(person->code)));
     m_enable->setText(person->enabled ? tr("Disable") : tr("Enable"));
     m_enable->setIcon(context().theme().icon(person->enabled ? QStringLiteral("dialog-cancel")
                                                              : QStringLiteral("dialog-ok-apply")));

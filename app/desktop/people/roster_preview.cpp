@@ -130,8 +130,8 @@ void addWhoIsMeant(QStringList& lines, const database::RosterPlan& plan) {
 }
 
 QString keepsFullNameWords(const database::RosterStep& step) {
-    return words(QT_TRANSLATE_NOOP("RosterWords",
-                                   "The list has the earlier full name %1; the one of today stays."))
+    return words(
+               QT_TRANSLATE_NOOP("RosterWords", "The list has the earlier full name %1; today's name stays."))
         .arg(QString::fromStdString(step.earlierDisplayName));
 }
 
@@ -157,10 +157,11 @@ void addFullNames(QStringList& lines, const database::RosterPlan& plan) {
         std::count_if(plan.steps.begin(), plan.steps.end(),
                       [](const database::RosterStep& step) { return !step.earlierDisplayName.empty(); }));
     if (kept > 0)
-        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords",
-                                             "%n people are listed under an earlier full name and keep the "
-                                             "one of today. To give an earlier one back, edit the person."),
-                         kept);
+        lines << counted(
+            QT_TRANSLATE_N_NOOP("RosterWords",
+                                "%n people are listed under an earlier full name and keep today's name. To "
+                                "give somebody an earlier name back, edit the person."),
+            kept);
 }
 
 } // namespace

@@ -364,11 +364,12 @@ void PlaybackScreen::addComment(const QString& text, std::optional<std::uint64_t
             const database::SessionSummary& session = m_data->record.summary;
             if (session.person != context().actor().personId() &&
                 session.person != database::Actor::kSimulatedPerson)
-                context().messages().done((context().has(database::Role::trainer)
-                                               ? tr("The comment is saved, and the session counts as "
-                                                    "reviewed. %1 is told of it on Home.")
-                                               : tr("The comment is saved. %1 is told of it on Home."))
-                                              .arg(QString::fromStdString(session.personName)));
+                context().messages().done(
+                    (context().has(database::Role::trainer)
+                         ? tr("The comment is saved, and the session counts as reviewed. %1 will see it on "
+                              "Home.")
+                         : tr("The comment is saved. %1 will see it on Home."))
+                        .arg(QString::fromStdString(session.personName)));
             m_comments->setMayReview(false);
         });
 }
@@ -402,7 +403,7 @@ void PlaybackScreen::declareVoid(const QString& reason) {
 
 void PlaybackScreen::countAgain(const QString& reason) {
     decide(&database::SessionRepository::reinstateSession, reason,
-           tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
+           tr("Session %1 counts again. Its history still shows that it was void.").arg(sessionId()),
            tr("Session %1 is still void; nothing was changed.").arg(sessionId()));
 }
 

@@ -72,18 +72,18 @@ QString ProgressScreen::title() const {
 }
 
 QString ProgressScreen::help() const {
-    return tr(
-        "How far each person of the group is.\n\nA row is a person. Under each exercise stands the lowest "
-        "level that the person has not passed, or \"All "
-        "passed\"; a cross marks a level that they have tried. \"Last session\" says when they trained last, "
-        "and \"To review\" how many of their sessions "
-        "await your review. The line below the table says more about the chosen cell: the standing at every "
-        "level of an exercise, or, at the name, the step that "
-        "the program offers next. Trainees whose accounts are disabled are left out.\n\nThe program keeps no "
-        "lists of groups: type several names with commas between "
-        "them to see only these people. The list beside it shows only those who have not trained for some "
-        "time, or who have not passed everything.\n\nChoose "
-        "a cell with the arrow keys and press Enter to see the sessions of that person at that exercise.");
+    return tr("How far each person of the group is.\n\nA row is a person. Under each "
+              "exercise you see the lowest level that the person has not passed, or \"All "
+              "passed\"; a cross marks a level that they have tried. \"Last session\" says "
+              "when they trained last, and \"To review\" how many of their sessions await "
+              "your review. The line below the table says more about the chosen cell: the "
+              "standing at every level of an exercise, or, at the name, the step that the "
+              "program offers next. Trainees whose accounts are disabled are left "
+              "out.\n\nThe program keeps no lists of groups: type several names with commas "
+              "between them to see only these people. The list beside it shows only those "
+              "who have not trained for some time, or who have not passed "
+              "everything.\n\nChoose a cell with the arrow keys and press Enter to see the "
+              "sessions of that person at that exercise.");
 }
 
 QWidget* ProgressScreen::buildHead() {
@@ -217,7 +217,7 @@ void ProgressScreen::showPeople() {
     else if (all == 0)
         m_panel->showEmpty(tr("There are no trainees yet"),
                            tr("As soon as an administrator has added trainees under People, they are listed "
-                              "here, also before they have trained."));
+                              "here, even before they have trained."));
     else
         m_panel->showEmpty(tr("Nobody matches these filters"), tr("%n person(s) in all.", nullptr, all),
                            tr("Clear the filters"), [this] { clearFilter(); });

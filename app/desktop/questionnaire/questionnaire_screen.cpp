@@ -128,9 +128,10 @@ bool QuestionnaireScreen::mayLeave() {
 }
 
 void QuestionnaireScreen::goBack() {
-    context().navigator().replace(
-        {QStringLiteral("study_run"),
-         {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}}});
+    context().navigator().replace({QStringLiteral("study_run"),
+                                   {{QStringLiteral("study"), qlonglong(m_study)},
+                                    {QStringLiteral("participant"), m_code},
+                                    {QStringLiteral("just_ran"), true}}});
 }
 
 } // namespace chiron::desktop

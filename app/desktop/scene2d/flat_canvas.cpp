@@ -12,8 +12,10 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr double kGap = 12.0; // logical pixels at scale 1
-}
+constexpr double kGap = 12.0;         // logical pixels at scale 1
+constexpr double kLeast_px = 0.02;    // per mm: however small the picture, the titles are within it
+constexpr double kReasonShare = 0.25; // of the height; what takes more leaves the room to the picture
+} // namespace
 
 FlatCanvas::FlatCanvas(const SceneSetup& setup, const QString& why, QWidget* parent)
     : QWidget(parent), m_setup(setup), m_why(why), m_content(makeFlatContent(setup)) {
@@ -70,6 +72,8 @@ QRectF FlatCanvas::paintReason(QPainter& painter) const {
     painter.setPen(m_setup.colours.ink);
     constexpr int kFlags = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
     const QRectF line = painter.boundingRect(room, kFlags, m_why);
+    if (line.height() > kReasonShare * room.height())
+        return room; // the accessible description still says it
     painter.drawText(room, kFlags, m_why);
     room.setBottom(line.top() - 0.7 * gap);
     return room;
@@ -78,10 +82,13 @@ QRectF FlatCanvas::paintReason(QPainter& painter) const {
 QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
     const auto paint = [&](const GaugeDial& dial, double value_N) {
         const double unit = std::min(m_setup.scale, room.height() / GaugePainter::kHeight);
+        // A bar that is lower than it should be keeps texts that can be read.
+        const GaugePainter painted(m_setup, dial,
+                                   std::clamp(m_setup.scale / unit, 1.0, GaugePainter::kLargestText));
         const bool over = dial.limit_N > 0.0 && value_N > dial.limit_N;
         const QRectF hollow = GaugePainter::hollow();
         painter.save();
-        painter.translate(room.right() - GaugePainter::kWidth * unit,
+        painter.translate(room.right() - painted.width() * unit,
                           room.center().y() - 0.5 * GaugePainter::kHeight * unit);
         painter.scale(unit, unit);
         painter.fillRect(hollow, m_setup.colours.background);
@@ -90,9 +97,9 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         painter.fillRect(liquid, over ? m_setup.colours.over : m_setup.colours.arrow);
         if (over)
             painter.fillRect(liquid, QBrush(m_setup.colours.background, Qt::BDiagPattern));
-        GaugePainter(m_setup, dial).paint(painter);
+        painted.paint(painter);
         painter.restore();
-        room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
+        room.setRight(room.right() - (painted.width() * unit + kGap * m_setup.scale));
     };
     const ForceBars bars = m_content ? m_content->bars(m_setup, m_state) : ForceBars{forceDial(m_setup)};
     if (m_setup.cues.arrow)
@@ -116,7 +123,7 @@ void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& ro
     const double beside =
         std::min((room.width() - gap - frameAbove.width() - frameSide.width()) / (a.width() + s.width()),
                  (room.height() - frameAbove.height()) / std::max(a.height(), s.height()));
-    const double scale = std::max(0.3, std::max(stacked, beside));
+    const double scale = std::max(kLeast_px, std::max(stacked, beside));
     const QSizeF sizeAbove = above.cardSize(scale);
     if (beside > stacked)
         side.extendUp(sizeAbove.height(), scale);

@@ -42,7 +42,7 @@ double GaugePainter::heightOf(double force_N) const {
 
 QFont GaugePainter::font(double size, bool bold) const {
     QFont font(m_setup.family);
-    font.setPixelSize(std::max(1, int(size)));
+    font.setPixelSize(std::max(1, int(size * m_text)));
     font.setBold(bold);
     return font;
 }
@@ -53,17 +53,17 @@ void GaugePainter::paint(QPainter& painter) const {
     card.setAlphaF(m_setup.colours.highContrast ? 1.0F : 0.86F);
     QPainterPath frame;
     frame.setFillRule(Qt::OddEvenFill);
-    frame.addRoundedRect(QRectF(1, 1, kWidth - 2, kHeight - 2), 8, 8);
+    frame.addRoundedRect(QRectF(1, 1, width() - 2, kHeight - 2), 8, 8);
     frame.addRect(kHollow);
     painter.setPen(m_setup.colours.highContrast ? QPen(m_setup.colours.ink, 1.5) : QPen(Qt::NoPen));
     painter.setBrush(card);
     painter.drawPath(frame);
     painter.setPen(m_setup.colours.ink);
     double size = 12.0; // smaller if a language needs more room
-    while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(m_dial.title) > kWidth - 8.0)
+    while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(m_dial.title) > width() - 8.0)
         size -= 1.0;
     painter.setFont(font(size, true));
-    painter.drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter, m_dial.title);
+    painter.drawText(QRectF(4, 6, width() - 8, 24), Qt::AlignCenter, m_dial.title);
     if (m_dial.bandHigh_N > 0.0)
         paintBand(painter);
     paintScale(painter);
@@ -79,16 +79,16 @@ void GaugePainter::paintScale(QPainter& painter) const {
     const double range_N = m_dial.range_N;
     double step_N = 0.1;
     for (double next : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
-        if (range_N / step_N > 7.0)
+        if (range_N / step_N > 7.0 / m_text)
             step_N = next;
     for (int i = 0; i * step_N <= range_N + 1e-9; ++i) {
         const double y = heightOf(i * step_N);
         painter.drawLine(QPointF(kHollow.right(), y), QPointF(kHollow.right() + 4.0, y));
-        if (m_dial.limit_N > 0.0 && std::abs(y - heightOf(m_dial.limit_N)) < 12.0)
+        if (m_dial.limit_N > 0.0 && std::abs(y - heightOf(m_dial.limit_N)) < 12.0 * m_text)
             continue; // the limit's own number stands there
-        painter.drawText(QRectF(kHollow.right() + 7.0, y - 9.0, kWidth - kHollow.right() - 9.0, 18.0),
-                         Qt::AlignLeft | Qt::AlignVCenter,
-                         QLocale().toString(i * step_N, 'f', step_N < 1.0 ? 1 : 0));
+        painter.drawText(
+            QRectF(kHollow.right() + 7.0, y - 9.0 * m_text, width() - kHollow.right() - 9.0, 18.0 * m_text),
+            Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(i * step_N, 'f', step_N < 1.0 ? 1 : 0));
     }
 }
 
@@ -113,9 +113,9 @@ void GaugePainter::paintLimit(QPainter& painter) const {
     painter.drawLine(QPointF(kHollow.left() - 5.0, y), QPointF(kHollow.right() + 6.0, y));
     painter.setFont(font(13, true));
     const bool whole = std::abs(m_dial.limit_N - std::round(m_dial.limit_N)) < 0.005;
-    painter.drawText(QRectF(kHollow.right() + 8.0, y - 9.0, kWidth - kHollow.right() - 10.0, 18.0),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     QLocale().toString(m_dial.limit_N, 'f', whole ? 0 : 1));
+    painter.drawText(
+        QRectF(kHollow.right() + 8.0, y - 9.0 * m_text, width() - kHollow.right() - 10.0, 18.0 * m_text),
+        Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(m_dial.limit_N, 'f', whole ? 0 : 1));
 }
 
 } // namespace chiron::scene3d

@@ -50,17 +50,21 @@ struct GaugeTexts {
 };
 
 /// Paints the frame, scale, limit line, band and texts of a force bar. The hollow stays transparent; the
-/// filling is drawn underneath. The face is kWidth × kHeight logical pixels at scale 1, measured from the
-/// upper left corner.
+/// filling is drawn underneath. The face is width() × kHeight logical pixels at scale 1, measured from the
+/// upper left corner. `text`: how much larger the texts are than usual, 1 to kLargestText, for a bar that has
+/// to be smaller than the scale asks for. The face is as much wider, and has fewer numbers.
 class GaugePainter {
 public:
-    GaugePainter(const SceneSetup& setup, const GaugeDial& dial) : m_setup(setup), m_dial(dial) {}
+    GaugePainter(const SceneSetup& setup, const GaugeDial& dial, double text = 1.0)
+        : m_setup(setup), m_dial(dial), m_text(text) {}
 
     void paint(QPainter& painter) const;
     static QRectF hollow();
 
     static constexpr double kWidth = 76.0;
     static constexpr double kHeight = 300.0;
+    static constexpr double kLargestText = 1.8;
+    double width() const { return kWidth * m_text; }
     static constexpr double kRange = 1.5; ///< end of the force scale, as a multiple of the limit
 
 private:
@@ -72,6 +76,7 @@ private:
 
     SceneSetup m_setup;
     GaugeDial m_dial;
+    double m_text;
 };
 
 /// The bar of the force on the tools, with the level's limit.

@@ -16,6 +16,7 @@ namespace {
 constexpr double kSign = 72.0;
 constexpr double kTitle = 26.0;
 constexpr double kWords = 16.0;
+constexpr double kLeastWords = 8.0; // below this nobody reads anything
 constexpr double kGap = 12.0;
 // A line may cover this share of the height before a smaller font is used.
 constexpr double kPlateShare = 0.12;
@@ -71,11 +72,27 @@ void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double u
                                  const SceneNote& note) const {
     painter.fillRect(room, QColor(0, 0, 0, kVeil));
     const QRectF lines = room.adjusted(0.08 * room.width(), 0.0, -0.08 * room.width(), 0.0);
-    const QFont large = font(kTitle * unit, true), small = font(kWords * unit, false);
-    const double titleHigh = QFontMetricsF(large).boundingRect(lines, kWrapped, note.title).height();
-    const double wordsHigh = QFontMetricsF(small).boundingRect(lines, kWrapped, note.words).height();
-    const double gap = kGap * unit;
-    // In a small scene the sign shrinks, but the text keeps its size.
+    const auto high = [&lines](const QFont& font, const QString& text) {
+        return QFontMetricsF(font).boundingRect(lines, kWrapped, text).height();
+    };
+    // In a small scene the sign gives way first, then the gaps, then the title, and the rest of the text
+    // last: nothing is cut.
+    double title_px = kTitle * unit, words_px = kWords * unit, gap = kGap * unit;
+    QFont large = font(title_px, true), small = font(words_px, false);
+    double titleHigh = high(large, note.title), wordsHigh = high(small, note.words);
+    const double least_px = kLeastWords * unit;
+    while (titleHigh + wordsHigh + 2.0 * gap > room.height() && words_px > least_px) {
+        if (gap > 0.25 * kGap * unit)
+            gap -= unit;
+        else if (title_px > words_px)
+            title_px = std::max(words_px, title_px - unit);
+        else
+            title_px = words_px = std::max(least_px, words_px - unit);
+        large = font(title_px, true);
+        small = font(words_px, false);
+        titleHigh = high(large, note.title);
+        wordsHigh = high(small, note.words);
+    }
     const double sign = std::clamp(room.height() - titleHigh - wordsHigh - 4.0 * gap, 0.0, kSign * unit);
     double y = room.center().y() - 0.5 * (sign + titleHigh + wordsHigh + 2.0 * gap);
     const QRectF spot(room.center().x() - 0.5 * sign, y, sign, sign);

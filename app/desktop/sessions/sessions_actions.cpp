@@ -154,8 +154,9 @@ void SessionsScreen::decide(database::SessionId session, VoidSessionDialog::Deci
                 return;
             }
             context().messages().done(
-                voids ? tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session)
-                      : tr("Session %1 counts again. That it was void stays on record.").arg(session));
+                voids
+                    ? tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session)
+                    : tr("Session %1 counts again. Its history still shows that it was void.").arg(session));
             reload(session);
         });
 }

@@ -23,9 +23,10 @@ VoidDialogWords voidDialogWords(VoidSessionDialog::Decision decision) {
         return {QStringLiteral("reinstate"),
                 VoidSessionDialog::tr("Count a session again"),
                 VoidSessionDialog::tr("Count session %1 of %2 again?"),
-                VoidSessionDialog::tr("The session counts as it did before it was voided: for passing its "
-                                      "level and in results. Both "
-                                      "decisions stay with it, each with a name, a time and a reason."),
+                VoidSessionDialog::tr(
+                    "The session counts as it did before it was voided: for passing its level and "
+                    "in results. Both decisions are kept with it, each with a name, a time and a "
+                    "reason."),
                 VoidSessionDialog::tr("For example: another session was meant"),
                 VoidSessionDialog::tr("Leave it void"),
                 VoidSessionDialog::tr("Count it again"),

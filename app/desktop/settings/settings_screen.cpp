@@ -109,7 +109,7 @@ QWidget* SettingsScreen::soundBox() {
     box.layout->addWidget(check);
     const std::vector<Choice> cues{{QStringLiteral("contact"), tr("A click when contact begins")},
                                    {QStringLiteral("force"), tr("A tone that rises with force")},
-                                   {QStringLiteral("lean"), tr("A brighter tone when force is tilted")},
+                                   {QStringLiteral("lean"), tr("A brighter tone the more the force leans")},
                                    {QStringLiteral("warning"), tr("A warning over the limit")}};
     for (const Choice& cue : cues) {
         auto* one = new QCheckBox(cue.text);

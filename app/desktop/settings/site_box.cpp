@@ -25,10 +25,11 @@ SiteBox::SiteBox(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
         form::textField(theme, box.layout, tr("Name of the site, such as the clinic's (may be left empty)"),
                         QStringLiteral("settings.site_name"));
     m_name->setMaxLength(database::kMaximumSiteNameCharacters);
-    box.layout->addWidget(kit::label(theme,
-                                     tr("Everybody sees it at the login, on password slips and at the top of "
-                                        "reports. A change stands in the audit trail."),
-                                     TextStyle::small, "muted"));
+    box.layout->addWidget(
+        kit::label(theme,
+                   tr("Everybody sees it at the login, on password slips and at the top of reports. "
+                      "Each change is recorded in the audit trail."),
+                   TextStyle::small, "muted"));
     m_save = kit::button(theme, tr("Save the site's name"), "primary");
     m_save->setObjectName(QStringLiteral("settings.save_site_name"));
     box.layout->addWidget(m_save, 0, Qt::AlignLeft);

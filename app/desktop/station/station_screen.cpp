@@ -192,8 +192,10 @@ QWidget* StationScreen::devicesCard() const {
         auto* row = new QHBoxLayout;
         row->setSpacing(theme.px(12));
         auto* sign = new QLabel;
-        sign->setPixmap(
-            theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good).pixmap(theme.px(20), theme.px(20)));
+        const bool present = !driver->discover().empty();
+        sign->setPixmap((present ? theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good)
+                                 : theme.icon(QStringLiteral("dialog-warning"), Colour::warning))
+                            .pixmap(theme.px(20), theme.px(20)));
         row->addWidget(sign, 0, Qt::AlignTop);
         auto* words = new QVBoxLayout;
         words->setSpacing(theme.px(2));
@@ -203,9 +205,11 @@ QWidget* StationScreen::devicesCard() const {
         row->addWidget(kit::label(theme, StationWords::forceClass(driver->deviceClass)), 1);
         box.layout->addLayout(row);
     }
-    box.layout->addWidget(kit::label(
-        theme, tr("No haptic device is connected: this version does not have a driver for one yet."),
-        TextStyle::small, "muted"));
+    box.layout->addWidget(kit::label(theme,
+                                     tr("No maker's haptic device was connected to this version yet: the "
+                                        "driver for devices on a network or serial line was tested against "
+                                        "an emulation."),
+                                     TextStyle::small, "muted"));
     return box.frame;
 }
 

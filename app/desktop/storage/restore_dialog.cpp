@@ -49,8 +49,8 @@ QString accountsOfTheBackup() {
 
 QString accountsOfTheDamagedFile() {
     return RestoreDialog::tr("The damaged file still has the login names and passwords of its last day. "
-                             "Where they can be read, one of its administrators has to agree, "
-                             "so that nobody puts an old backup in its place unasked.");
+                             "Where they can be read, one of its administrators has to agree, so that "
+                             "nobody puts an old backup in its place without permission.");
 }
 
 /// Checks the passwords. If the site is open, a wrong password counts like one at the login.

@@ -4,6 +4,7 @@
 #include "catalogue/study_json.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/studies/attribute_names.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/procedure_form.h"
@@ -13,6 +14,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
+#include "session/study/presentation_order.h"
 
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -214,14 +216,20 @@ QWidget* ConditionsPage::stimulusBox() {
     std::vector<std::pair<QString, QVariant>> attributes;
     for (int i = 0; i < kAttributes; ++i)
         attributes.emplace_back(study_words::attribute(static_cast<Attribute>(i)), i);
-    grid->choice(
-        tr("Attribute"), QStringLiteral("condition.attribute"), attributes,
-        static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
-            edit(
-                tr("Change of the attribute"), {},
-                [&](Condition& changed) { takeAttribute(changed, static_cast<Attribute>(now.toInt())); },
-                true);
-        });
+    grid->choice(tr("Attribute"), QStringLiteral("condition.attribute"), attributes,
+                 static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
+                     m_page.draft.change(
+                         tr("Change of the attribute"), {},
+                         [&](StudyDesign& design) {
+                             const auto at = static_cast<std::size_t>(m_shown);
+                             const StimulusDesign before = design.conditions[at].stimulus;
+                             takeAttribute(design.conditions[at], static_cast<Attribute>(now.toInt()));
+                             nameByAttribute(
+                                 design, at, before.attribute, before.reference,
+                                 [this](const std::string& name) { return m_page.draft.isKeptName(name); });
+                         },
+                         true);
+                 });
     grid->explain(QStringLiteral("condition.attribute"),
                   tr("The only property in which the objects differ."));
     addReference(*grid);
@@ -288,7 +296,10 @@ void ConditionsPage::addNames(FieldGrid& grid) {
     addStudyText(
         grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
         [at](StudyDesign& design) -> StudyText& { return design.conditions[at].title; }, false,
-        [at, follows, english = m_page.language == QStringLiteral("en")](StudyDesign& design) {
+        [at, follows, &draft = m_page.draft,
+         english = m_page.language == QStringLiteral("en")](StudyDesign& design) {
+            if (english)
+                draft.keepName(englishTitle(design.conditions[at]).toStdString());
             if (*follows && english)
                 nameByTitle(design, at);
         });
@@ -312,11 +323,64 @@ void ConditionsPage::addNames(FieldGrid& grid) {
 
 namespace {
 
+const QRegularExpression& numberOfCopy() {
+    static const QRegularExpression kCopy(QStringLiteral("\\s\\(\\d+\\)$"));
+    return kCopy;
+}
+
+/// Whether no condition but the one at `at` has this title in this language.
+bool isFreeTitle(const StudyDesign& design, std::size_t at, const std::string& language,
+                 const std::string& title) {
+    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+        if (const auto found = design.conditions[i].title.find(language);
+            i != at && found != design.conditions[i].title.end() && found->second == title)
+            return false;
+    return true;
+}
+
+QString withValue(const QString& title, double value, const QString& unit) {
+    return QStringLiteral("%1, %2 %3").arg(title, QString::number(value, 'g', 6), unit).trimmed();
+}
+
+/// "Mass (2)", the title of a copy, says in what the copy differs once its reference does: it becomes
+/// "Mass, 100 g", and "Mass", the one that it was copied from, becomes "Mass, 50 g" unless somebody typed it.
+/// In each language; titles that are no copy's stay as they are.
+void nameCopyByValue(StudyDesign& design, std::size_t at, double value,
+                     const std::function<bool(const std::string&)>& isTyped) {
+    const study_words::Unit unit = study_words::unitOf(design.conditions[at].stimulus.attribute);
+    const QRegularExpression told(QStringLiteral("(?<![0-9.,])%1\\s*%2")
+                                      .arg(QRegularExpression::escape(QString::number(value, 'g', 6)),
+                                           QRegularExpression::escape(unit.text)));
+    for (auto& [language, words] : design.conditions[at].title) {
+        const QString title = QString::fromStdString(words);
+        if (!title.contains(numberOfCopy()) || title.contains(told) || isTyped(words))
+            continue;
+        const QString plain = QString(title).remove(numberOfCopy());
+        const std::string named = withValue(plain, value, unit.text).toStdString();
+        if (!isFreeTitle(design, at, language, named))
+            continue;
+        words = named;
+        for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+            Condition& other = design.conditions[i];
+            const auto same = other.title.find(language);
+            if (i == at || same == other.title.end() || same->second != plain.toStdString() ||
+                other.stimulus.attribute != design.conditions[at].stimulus.attribute || isTyped(same->second))
+                continue;
+            const bool idFollows =
+                language == "en" && !isTyped(other.id) && isMadeOf(QString::fromStdString(other.id), plain);
+            same->second = withValue(plain, other.stimulus.reference * unit.factor, unit.text).toStdString();
+            if (idFollows)
+                nameByTitle(design, i);
+        }
+    }
+}
+
 /// Updates names that contain the reference value: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and
 /// "tube_60_2" becomes "tube_120", as "sphere_20mm" becomes "sphere_30mm". A short name without the value
-/// follows the title if it is made of it (`followsTitle`). Other names stay as they are.
+/// follows the title if it is made of it (`followsTitle`). Other names stay as they are, but for a copy's
+/// (nameCopyByValue).
 void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit,
-                     bool followsTitle) {
+                     bool followsTitle, const std::function<bool(const std::string&)>& isTyped) {
     Condition& changed = design.conditions[at];
     const QString titleBefore = englishTitle(changed);
     const auto isFree = [&](const auto& isIts) {
@@ -331,20 +395,17 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
             QStringLiteral("(?<![0-9.,])%1(\\s*)%2(?![\\w/])")
                 .arg(QRegularExpression::escape(was), QRegularExpression::escape(unit)),
             QRegularExpression::UseUnicodePropertiesOption);
-        static const QRegularExpression kCopy(QStringLiteral("\\s\\(\\d+\\)$"));
         for (auto& [language, words] : changed.title) {
             QString title = QString::fromStdString(words);
             if (!title.contains(value))
                 continue;
             title.replace(value, now + QStringLiteral("\\1") + unit);
-            const std::string plain = QString(title).remove(kCopy).toStdString();
-            words = isFree([&](const Condition& other) {
-                return other.title.contains(language) && other.title.at(language) == plain;
-            })
-                        ? plain
-                        : title.toStdString();
+            const std::string plain = QString(title).remove(numberOfCopy()).toStdString();
+            words = isFreeTitle(design, at, language, plain) ? plain : title.toStdString();
         }
     }
+    if (before != after)
+        nameCopyByValue(design, at, after, isTyped);
     static const QRegularExpression kNoKey(QStringLiteral("[^a-z0-9]+"));
     const auto key = [](QString number) { return number.replace(kNoKey, QStringLiteral("_")); };
     const QRegularExpression id(QStringLiteral("^(.*_)%1((?:_?%2)?)(_\\d+)?$")
@@ -386,7 +447,9 @@ void ConditionsPage::addReference(FieldGrid& grid) {
                 tr("Reference"), QStringLiteral("%1.reference").arg(m_shown), [&](StudyDesign& design) {
                     const auto at = static_cast<std::size_t>(m_shown);
                     nameByReference(design, at, design.conditions[at].stimulus.reference * unit.factor, now,
-                                    unit.text, followsTitle);
+                                    unit.text, followsTitle, [this](const std::string& name) {
+                                        return m_page.draft.isKeptName(name);
+                                    });
                     design.conditions[at].stimulus.reference = now / unit.factor;
                 });
             showNames(*grid);
@@ -454,9 +517,24 @@ QWidget* ConditionsPage::tableBox() {
 QWidget* ConditionsPage::proceduresBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = titledBox(theme, apex() ? tr("Trials") : tr("Procedure"));
-    if (condition().procedures.size() > 1)
-        box.layout->addWidget(
-            kit::label(theme, tr("Several procedures are interleaved at random."), TextStyle::body, "muted"));
+    if (condition().procedures.size() > 1) {
+        auto* words = kit::label(theme, {}, TextStyle::body, "muted");
+        words->setObjectName(QStringLiteral("conditions.interleaved"));
+        const auto show = [this, words] { // each form has the trials of its own procedure
+            if (static_cast<std::size_t>(m_shown) >= m_page.draft.design().conditions.size())
+                return;
+            const QString said = tr("Several procedures are interleaved at random.");
+            const int most = session::trialsAtMost(condition());
+            words->setText(
+                most > 0
+                    ? said + QLatin1Char(' ') +
+                          tr("Together they have at most %1 trials.").arg(m_page.app.locale().toString(most))
+                    : said);
+        };
+        connect(&m_page.draft, &StudyDraft::changed, words, show);
+        show();
+        box.layout->addWidget(words);
+    }
     if (hasScale())
         box.layout->addWidget(scaleGrid());
     for (std::size_t i = 0; i < condition().procedures.size(); ++i) {

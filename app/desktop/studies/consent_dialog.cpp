@@ -3,6 +3,7 @@
 
 #include "desktop/frame/interface_language.h"
 #include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 
@@ -17,7 +18,8 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
                              const database::Participant& participant, QWidget* parent)
     : FormDialog(context, QStringLiteral("consent"),
                  tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent),
-      m_texts(study.design.consent), m_told(shownInstructions(study.design)), m_participant(participant) {
+      m_design(study.design), m_texts(study.design.consent), m_told(shownInstructions(study.design)),
+      m_participant(participant) {
     m_language = new QComboBox;
     m_language->setObjectName(QStringLiteral("consent.language"));
     m_language->setAccessibleName(tr("Language"));
@@ -33,6 +35,9 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
     m_instructions = kit::label(theme(), {}, TextStyle::body);
     m_instructions->setObjectName(QStringLiteral("consent.instructions"));
     read.layout->addWidget(m_instructions);
+    m_force = kit::label(theme(), {}, TextStyle::body);
+    m_force->setObjectName(QStringLiteral("consent.force"));
+    read.layout->addWidget(m_force);
     column()->addWidget(read.frame);
     const kit::Box box = kit::box(theme());
     m_text = kit::label(theme(), {}, TextStyle::body);
@@ -49,7 +54,11 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
                                    TextStyle::small, "muted"));
     setAccept(tr("Record the consent"));
     connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
-    connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
+    const auto weigh = [this] {
+        setAcceptable(m_agreed->isChecked(), tr("Tick the box first, once the participant agrees."));
+    };
+    connect(m_agreed, &QCheckBox::toggled, this, weigh);
+    weigh();
     showText();
     m_agreed->setFocus();
     if (parent)
@@ -58,6 +67,8 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
 
 void ConsentDialog::showText() {
     m_instructions->setText(study_words::text(m_told, m_language->currentData().toString()));
+    m_force->setText(
+        forceSentences(m_design, studyDevice(), m_language->currentData().toString()).join(QLatin1Char(' ')));
     const auto found = m_texts.find(m_language->currentData().toString().toStdString());
     m_text->setText(found == m_texts.end() ? tr("This study has no consent text.")
                                            : QString::fromStdString(found->second));

@@ -25,11 +25,13 @@ protected:
 private:
     void showText();
 
+    psychophysics::StudyDesign m_design;
     psychophysics::StudyText m_texts;
     psychophysics::StudyText m_told; ///< shownInstructions()
     database::Participant m_participant;
     QComboBox* m_language = nullptr;
     QLabel* m_instructions = nullptr;
+    QLabel* m_force = nullptr;
     QLabel* m_text = nullptr;
     QCheckBox* m_agreed = nullptr;
 };

@@ -178,7 +178,7 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     if (fault.found == QStringLiteral("0 characters") || fault.found == QStringLiteral("missing"))
         return FaultWords::tr("This is empty. Write something.");
     if (fault.expected.startsWith(QStringLiteral("lower-case letters")))
-        return FaultWords::tr("Use lower-case letters, digits and _ only, a letter first.");
+        return FaultWords::tr("Use only lower-case letters, digits and _, and begin with a letter.");
     if (fault.expected.contains(kTwice))
         return FaultWords::tr("This is already used. Choose something else.");
     if (fault.expected == QStringLiteral("more than lowest"))

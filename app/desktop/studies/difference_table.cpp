@@ -175,7 +175,7 @@ void DifferenceTable::typed(const std::vector<double>& percents) {
     for (const double percent : percents) {
         if (percent <= -kPercent) {
             m_grid->setUnread(QStringLiteral("differences.levels"),
-                              tr("%1 % less than the reference is less than nothing.")
+                              tr("%1 % less than the reference would be below zero.")
                                   .arg(m_locale.toString(-percent, 'g', 6)));
             return;
         }

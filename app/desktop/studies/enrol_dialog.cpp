@@ -38,10 +38,13 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
             addFields(questionnaire);
     setAccept(tr("Enrol"));
-    for (QLineEdit* field : {m_identity, m_account}) // one of them must identify the person
-        connect(field, &QLineEdit::textChanged, this, [this] {
-            setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty());
-        });
+    const auto weigh = [this] { // one of them must identify the person
+        setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty(),
+                      tr("Enter an identity first, or a login name."));
+    };
+    for (QLineEdit* field : {m_identity, m_account})
+        connect(field, &QLineEdit::textChanged, this, weigh);
+    weigh();
     m_identity->setFocus();
 }
 

@@ -65,6 +65,9 @@ public:
         const QString suffix = this->suffix();
         return readQuantity(typedIn(text, suffix), suffix.trimmed(), locale());
     }
+    bool isSpecial(const QString& text) const { // the unit stays behind what is typed
+        return !specialValueText().isEmpty() && typedIn(text, suffix()) == specialValueText();
+    }
     bool inRange(double value) const { return value >= minimum() && value <= maximum(); }
     bool keeps(double value) const { // otherwise rounding would turn a small number into zero
         constexpr double kRounding = 0.01;
@@ -72,7 +75,7 @@ public:
         return std::abs(std::round(value * steps) / steps - value) <= kRounding * std::abs(value);
     }
     QValidator::State validate(QString& input, int&) const override {
-        if (!specialValueText().isEmpty() && input == specialValueText())
+        if (isSpecial(input))
             return QValidator::Acceptable;
         const ReadQuantity found = read(input);
         return found.fault == ReadQuantity::Fault::none && inRange(found.value) && keeps(found.value)
@@ -80,7 +83,7 @@ public:
                    : QValidator::Intermediate;
     }
     double valueFromText(const QString& text) const override {
-        return !specialValueText().isEmpty() && text == specialValueText() ? minimum() : read(text).value;
+        return isSpecial(text) ? minimum() : read(text).value;
     }
     QString textFromValue(double value) const override {
         QString text = QDoubleSpinBox::textFromValue(value);

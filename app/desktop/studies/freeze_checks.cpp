@@ -2,6 +2,7 @@
 #include "desktop/studies/freeze_checks.h"
 
 #include "desktop/studies/general_page.h"
+#include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/plan_words.h"
 #include "desktop/studies/study_device.h"
@@ -161,6 +162,12 @@ std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& 
         return std::nullopt;
     const FreezeCheck check =
         checkOf("probe", CheckWords::tr("Smallest force"), StudyScreen::trialsTab, "trial.probe_at_least");
+    const bool lifts = std::all_of(design.conditions.begin(), design.conditions.end(), [](const auto& each) {
+        return each.stimulus.attribute == psychophysics::Attribute::mass;
+    });
+    if (lifts) // an object that is lifted pulls with its whole weight
+        return found(check, State::good,
+                     CheckWords::tr("An object counts as explored once it is lifted off the table."));
     return design.trial.probeAtLeast_N > 0.0
                ? found(check, State::good,
                        CheckWords::tr("An object counts as touched from %1 N on.")
@@ -179,8 +186,8 @@ std::optional<FreezeCheck> maskingCheck(const StudyDesign& design, const FreezeF
         checkOf("masking", CheckWords::tr("Masking sound"), StudyScreen::trialsTab, "trial.masking_sound");
     if (!design.trial.maskingSound)
         return found(check, State::advice,
-                     CheckWords::tr("It is switched off. Participants may hear the device, and what they "
-                                    "hear may tell objects apart."));
+                     CheckWords::tr("It is switched off. Participants may hear the device, and its sound "
+                                    "may tell them which object is which."));
     if (!facts.hasSound)
         return std::nullopt;
     return *facts.hasSound
@@ -194,21 +201,21 @@ std::optional<FreezeCheck> maskingCheck(const StudyDesign& design, const FreezeF
 FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
     const FreezeCheck check =
         checkOf("duration", CheckWords::tr("Duration"), StudyScreen::trialsTab, "trial.break_every");
-    double minutes = session::participantView(design).minutesAtMost();
-    QString words = CheckWords::tr("At most about %1 minutes for each participant.");
+    double minutes = session::participantView(design).minutes();
+    QString words = CheckWords::tr("For each participant: %1.").arg(durationWords(design, locale));
     if (facts.plans) {
         double expected = 0.0;
         for (const ConditionPlan& plan : *facts.plans)
             expected += plan.minutes;
         if (expected > 0.0) {
             minutes = expected;
-            words = CheckWords::tr("About %1 minutes for each participant, as simulated.");
+            words = CheckWords::tr("About %1 minutes for each participant, as simulated.")
+                        .arg(locale.toString(static_cast<int>(std::ceil(minutes))));
         }
     } else if (minutes <= 0.0) {
         return found(check, State::waiting,
                      CheckWords::tr("Simulated observers are still running through the study …"));
     }
-    words = words.arg(locale.toString(static_cast<int>(std::ceil(minutes))));
     return minutes > kLong_min
                ? found(check, State::advice,
                        words + QLatin1Char(' ') +
@@ -250,18 +257,20 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
         words +=
             QLatin1Char(' ') +
             (std::isfinite(ratio)
-                 ? CheckWords::tr("With %1 participants, a ratio of %2 between two conditions is detected "
-                                  "with 80 % power.")
+                 ? CheckWords::tr("With %1 participants, a comparison of two conditions finds a difference "
+                                  "with 80 % power if the Weber fraction of one is at least %2 times that "
+                                  "of the other.")
                        .arg(locale.toString(question.participants),
                             study_words::withError(ratio, error, locale))
-                 : CheckWords::tr(
-                       "With so few participants, no ratio up to 10 between two conditions is detected."));
+                 : CheckWords::tr("With so few participants, a comparison of two conditions would often fail "
+                                  "to show even a Weber fraction that is ten times the other."));
     }
     return worst->sdLog10 <= kPrecise_log10
                ? found(check, State::good, words)
                : found(check, State::advice,
                        words + QLatin1Char(' ') +
-                           CheckWords::tr("More trials make it more precise; Preview shows how many."));
+                           CheckWords::tr("More trials make it more precise; the page Expected precision "
+                                          "shows how many."));
 }
 
 /// Whole runs without a value, in the condition where they are the most. Returns nothing if no run was
@@ -303,7 +312,27 @@ FreezeCheck pilotCheck(const FreezeFacts& facts) {
                                       "minutes show what is unclear."));
 }
 
+QStringList titlesOf(const std::vector<FreezeCheck>& checks, State state) {
+    QStringList titles;
+    for (const FreezeCheck& check : checks)
+        if (check.state == state)
+            titles << check.title;
+    return titles;
+}
+
 } // namespace
+
+QString whyNotFrozen(const std::vector<FreezeCheck>& checks, bool seen) {
+    if (const QStringList bad = titlesOf(checks, State::bad); !bad.isEmpty())
+        return CheckWords::tr("Not possible yet. Correct first: %1. “Show” beside the red line leads there.")
+            .arg(bad.join(QStringLiteral(", ")));
+    if (!titlesOf(checks, State::waiting).isEmpty())
+        return CheckWords::tr(
+            "Please wait a moment: simulated observers are still running through the study.");
+    return !seen && !titlesOf(checks, State::advice).isEmpty()
+               ? CheckWords::tr("Tick the box above first: it confirms what is marked as worth a look.")
+               : QString();
+}
 
 int balancedBy(const StudyDesign& design) {
     const int conditions = static_cast<int>(design.conditions.size());

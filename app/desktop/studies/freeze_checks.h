@@ -42,6 +42,10 @@ struct FreezeFacts {
 std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts,
                                       const QLocale& locale);
 
+/// Why a design with these checks cannot be frozen now, and what to do, to stand beside the button; empty if
+/// it can be. `seen`: what is worth a look was confirmed.
+QString whyNotFrozen(const std::vector<FreezeCheck>& checks, bool seen);
+
 /// The number of participants must be a multiple of this for every order of conditions to occur equally
 /// often; 1 if that does not matter.
 int balancedBy(const psychophysics::StudyDesign& design);

@@ -76,7 +76,8 @@ void FreezeDialog::weigh() {
     const bool advice = m_checks->has(FreezeCheck::State::advice);
     m_cannot->setVisible(bad);
     m_seen->setVisible(advice && !bad);
-    setAcceptable(!bad && !m_checks->has(FreezeCheck::State::waiting) && (!advice || m_seen->isChecked()));
+    const QString whyNot = whyNotFrozen(m_checks->checks(), m_seen->isChecked());
+    setAcceptable(whyNot.isEmpty(), whyNot);
 }
 
 void FreezeDialog::submit() {

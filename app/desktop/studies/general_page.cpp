@@ -70,17 +70,23 @@ GeneralPage::GeneralPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
     column->addWidget(aimBox(page));
-    column->addWidget(ethicsBox(page));
+    column->addWidget(consentBox(page));
     column->addStretch();
 }
 
+/// What freezing asks for stands first, in sight without scrolling.
 QWidget* GeneralPage::aimBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
-    const kit::Box box = titledBox(theme, tr("Aim"));
+    const kit::Box box = titledBox(theme, tr("Aim and ethics"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    addStudyText(*grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1,
-                 [](StudyDesign& design) -> StudyText& { return design.title; });
+    addStudyText(
+        *grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1,
+        [](StudyDesign& design) -> StudyText& { return design.title; }, false,
+        [&draft](StudyDesign& design) {
+            if (design.title.contains("en"))
+                draft.keepName(design.title.at("en"));
+        });
     grid->explain(QStringLiteral("design.title"), tr("The study's name in lists, reports and exports."));
     grid->whole(tr("Planned participants"), QStringLiteral("design.planned"),
                 draft.design().participantsPlanned, 0, 100000, [&draft](int now) {
@@ -88,21 +94,22 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
                                  [now](StudyDesign& design) { design.participantsPlanned = now; });
                 });
     constexpr UsualNumber kParticipants{1, 100000, 12};
-    grid->explain(
-        QStringLiteral("design.planned"),
-        tr("How many people are to take part; Preview shows which difference this number can detect."),
-        kParticipants);
+    grid->explain(QStringLiteral("design.planned"),
+                  tr("How many people are to take part; the page Expected precision shows which difference "
+                     "this number can detect."),
+                  kParticipants);
     addAim(*grid, page);
     grid->text(
-        tr("Source of the design"), QStringLiteral("design.source"),
-        QString::fromStdString(draft.design().source),
+        tr("Ethics approval (required)"), QStringLiteral("design.ethics"),
+        QString::fromStdString(draft.design().ethics),
         [&draft](const QString& now) {
-            draft.change(GeneralPage::tr("Source of the design"), QStringLiteral("design.source"),
-                         [&](StudyDesign& design) { design.source = now.trimmed().toStdString(); });
+            draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"),
+                         [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
         },
         true);
-    grid->explain(QStringLiteral("design.source"),
-                  tr("Where the design was published, with its DOI; empty for a design of your own."));
+    grid->explain(QStringLiteral("design.ethics"),
+                  tr("The committee with the number and date of its approval, or why none is needed. It is "
+                     "frozen with the study."));
     box.layout->addWidget(grid);
     if (!page.readOnly)
         box.layout->addWidget(claimsNotice(page, FalseClaim::Where::aim));
@@ -125,27 +132,26 @@ void GeneralPage::addAim(FieldGrid& grid, const DesignPage& page) {
     }
 }
 
-QWidget* GeneralPage::ethicsBox(const DesignPage& page) {
+QWidget* GeneralPage::consentBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
-    const kit::Box box = titledBox(theme, tr("Ethics and consent"));
+    const kit::Box box = titledBox(theme, tr("Consent and source"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    grid->text(
-        tr("Ethics approval (required)"), QStringLiteral("design.ethics"),
-        QString::fromStdString(draft.design().ethics),
-        [&draft](const QString& now) {
-            draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"),
-                         [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
-        },
-        true);
-    grid->explain(QStringLiteral("design.ethics"),
-                  tr("The committee with the number and date of its approval, or why none is needed. It is "
-                     "frozen with the study."));
     addStudyText(*grid, page, tr("Consent text (required)"), QStringLiteral("design.consent"), 5,
                  [](StudyDesign& design) -> StudyText& { return design.consent; });
     grid->explain(QStringLiteral("design.consent"),
                   tr("What participants agree to before their first trial. The text that was shown is stored "
                      "with each consent."));
+    grid->text(
+        tr("Source of the design"), QStringLiteral("design.source"),
+        QString::fromStdString(draft.design().source),
+        [&draft](const QString& now) {
+            draft.change(GeneralPage::tr("Source of the design"), QStringLiteral("design.source"),
+                         [&](StudyDesign& design) { design.source = now.trimmed().toStdString(); });
+        },
+        true);
+    grid->explain(QStringLiteral("design.source"),
+                  tr("Where the design was published, with its DOI; empty for a design of your own."));
     box.layout->addWidget(grid);
     return box.frame;
 }

@@ -21,7 +21,7 @@ public:
 private:
     QWidget* aimBox(const DesignPage& page);
     void addAim(FieldGrid& grid, const DesignPage& page);
-    QWidget* ethicsBox(const DesignPage& page);
+    QWidget* consentBox(const DesignPage& page);
 };
 
 } // namespace chiron::desktop

@@ -19,6 +19,7 @@
 #include <QButtonGroup>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -38,16 +39,25 @@ constexpr const char* kUsualConsent =
     "together with the recordings. I have read the instructions, was able to ask questions, and agree to "
     "take part.";
 
+/// A text as words to search in and for: "two-alternative" has the words of "two alternative".
+QString searchable(const QString& text) {
+    static const QRegularExpression kBetweenWords(QStringLiteral("[^\\p{L}\\p{N}]+"));
+    return forSearch(text).replace(kBetweenWords, QStringLiteral(" "));
+}
+
 /// The text by which a template is found; also in English, the language of its source.
 QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, const QString& objective) {
     QStringList words{title, objective, QString::fromStdString(design.source),
                       study_words::text(design.title, QStringLiteral("en"))};
     for (const psychophysics::Condition& condition : design.conditions) {
-        words << study_words::attribute(condition.stimulus.attribute) << study_words::task(condition.task);
+        words << study_words::attribute(condition.stimulus.attribute) << study_words::task(condition.task)
+              << study_words::otherNames(condition.stimulus.attribute)
+              << study_words::otherNames(condition.task);
         for (const psychophysics::ProcedureSpec& procedure : condition.procedures)
             words << study_words::procedure(psychophysics::kindOf(procedure));
     }
-    return forSearch(words.join(QLatin1Char(' ')));
+    words << study_words::otherNames(design.conditions);
+    return searchable(words.join(QLatin1Char(' ')));
 }
 
 } // namespace
@@ -113,7 +123,7 @@ void NewStudyDialog::addTemplates() {
         tr("Each template is a complete design. Everything in it can be changed until the study is frozen."),
         TextStyle::small, "muted"));
     m_filter = form::textField(theme(), column(), tr("Find a template"), QStringLiteral("new_study.filter"));
-    m_filter->setPlaceholderText(tr("Attribute, task, procedure or author"));
+    m_filter->setPlaceholderText(tr("For example: 2AFC, weight, two conditions, Watson"));
     m_filter->setClearButtonEnabled(true);
     m_filter->installEventFilter(this);
     connect(m_filter, &QLineEdit::textChanged, this, &NewStudyDialog::filter);
@@ -197,6 +207,7 @@ void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templ
     for (std::size_t i = 0; i < m_templates.size(); ++i)
         m_list->layout()->addWidget(tile(i, i >= complete));
     filter(); // the person may already have typed
+    renew();
 }
 
 /// A template's tile: its aim, the participant's task, and the publication.
@@ -208,6 +219,12 @@ QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     const QString objective = plain ? tr("One condition, stiffness. %1").arg(study_words::taskInWords(task))
                                     : study_words::text(design.objective, context().language());
     QStringList meets;
+    if (design.conditions.size() > 1) {
+        QStringList names;
+        for (const psychophysics::Condition& condition : design.conditions)
+            names << study_words::text(condition.title, context().language());
+        meets << tr("Conditions: %1").arg(names.join(QStringLiteral(", ")));
+    }
     for (const auto& [name, words] : participantFacts(design, context().locale(), context().language())) {
         if (name == QStringLiteral("trials"))
             meets << tr("Trials: %1").arg(words);
@@ -249,19 +266,20 @@ void NewStudyDialog::choose(int) {
     renew();
     filter();                              // the previously chosen one may now be hidden
     m_title->setFocus(Qt::TabFocusReason); // with the whole text selected, to be typed over
-    // Once the tiles that stay have their places. An arrow key moves on to the next tile, which stays in
-    // sight.
+    // Once the tiles that stay have their places. An arrow key moves on to the next tile, which may lie below
+    // what is in sight.
     QMetaObject::invokeMethod(
         this,
         [this] {
-            if (m_title->hasFocus())
-                reveal(*m_title);
+            QWidget* at = focusWidget();
+            if (at == m_title || (at && m_list->isAncestorOf(at)))
+                reveal(*at);
         },
         Qt::QueuedConnection);
 }
 
 bool NewStudyDialog::isFound(int index) const {
-    const QStringList words = forSearch(m_filter->text()).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QStringList words = searchable(m_filter->text()).split(QLatin1Char(' '), Qt::SkipEmptyParts);
     const QString& in = m_folded[static_cast<std::size_t>(index)];
     return std::all_of(words.begin(), words.end(), [&](const QString& word) { return in.contains(word); });
 }
@@ -339,7 +357,7 @@ QString NewStudyDialog::keyFault() const {
     if (key.isEmpty())
         return tr("Give the study a key.");
     if (!isShortName(key))
-        return tr("Use lower-case letters, digits and _ only, a letter first.");
+        return tr("Use only lower-case letters, digits and _, and begin with a letter.");
     return m_keys.contains(key) ? tr("Another study has this key. Choose another.") : QString();
 }
 
@@ -352,12 +370,14 @@ void NewStudyDialog::showFault(QLineEdit* field, QLabel* words, const QString& f
 
 void NewStudyDialog::renew() {
     if (!chosen()) { // nothing is chosen, or templates are still loading
-        setAcceptable(false);
+        setAcceptable(false, m_templates.empty() ? tr("The templates are being read.")
+                                                 : tr("Choose what to begin with first."));
         return;
     }
     showFault(m_title, m_titleFault, titleFault());
     showFault(m_key, m_keyFault, keyFault());
-    setAcceptable(titleFault().isEmpty() && keyFault().isEmpty());
+    setAcceptable(titleFault().isEmpty() && keyFault().isEmpty(),
+                  titleFault().isEmpty() ? keyFault() : titleFault());
 }
 
 void NewStudyDialog::submit() {

@@ -55,26 +55,39 @@ QString askedWords(const ParticipantView& view) {
 
 QString trialsWords(const ParticipantView& view, const QLocale& locale) {
     int all = 0;
-    bool fixed = true;
+    bool fixed = true, alike = true;
+    QStringList counts;
     for (const PartView& part : view.parts) {
         if (part.trialsAtMost == 0)
             return CardWords::tr("as many as the answers need");
         all += part.trialsAtMost;
         fixed = fixed && part.trialsFixed;
+        alike = alike && part.trialsAtMost == view.parts.front().trialsAtMost;
+        counts << locale.toString(part.trialsAtMost);
     }
-    const QString count = locale.toString(all);
-    QString words = fixed ? count : CardWords::tr("at most %1").arg(count);
+    const auto most = [fixed](const QString& count) {
+        return fixed ? count : CardWords::tr("at most %1").arg(count);
+    };
+    QString words = most(locale.toString(all));
+    if (view.parts.size() > 1)
+        words =
+            alike
+                ? CardWords::tr("%1 in each condition, %2 in all")
+                      .arg(most(counts.front()), locale.toString(all))
+                : CardWords::tr("%1 in all (by condition: %2)").arg(words, counts.join(QStringLiteral(", ")));
     const int practice = view.parts.front().practice * static_cast<int>(view.parts.size());
     if (practice > 0)
         words = CardWords::tr("%1, and %n for practice", nullptr, practice).arg(words);
     return words;
 }
 
-QString minutesWords(const ParticipantView& view, const QLocale& locale) {
-    const double minutes = view.minutesAtMost();
-    return minutes > 0.0 ? CardWords::tr("at most about %1 min")
-                               .arg(locale.toString(static_cast<int>(std::ceil(minutes))))
-                         : CardWords::tr("as long as the answers take");
+QString sequenceOf(const ParticipantView& view, const QLocale& locale) {
+    const int practice = view.parts.front().practice;
+    return practice > 0
+               ? CardWords::tr(
+                     "instructions, controls, a free minute, practice (%1), then the trials that count")
+                     .arg(locale.toString(practice))
+               : CardWords::tr("instructions, controls, a free minute, then the trials that count");
 }
 
 QString breakWords(const ParticipantView& view, const QLocale& locale) {
@@ -115,10 +128,15 @@ QString questionWords(const ParticipantView& view, const QLocale& locale) {
 /// The title of a line.
 QString titleOf(const QString& name) {
     const std::pair<const char*, QString> titles[] = {
-        {"conditions", CardWords::tr("Conditions")}, {"asked", CardWords::tr("Asked")},
-        {"trials", CardWords::tr("Trials")},         {"minutes", CardWords::tr("Duration")},
-        {"breaks", CardWords::tr("Breaks")},         {"time", CardWords::tr("Time")},
-        {"feedback", CardWords::tr("Feedback")},     {"questions", CardWords::tr("Questions")}};
+        {"conditions", CardWords::tr("Conditions")},
+        {"asked", CardWords::tr("Asked")},
+        {"sequence", CardWords::tr("Sequence in each condition")},
+        {"trials", CardWords::tr("Trials")},
+        {"minutes", CardWords::tr("Duration")},
+        {"breaks", CardWords::tr("Breaks")},
+        {"time", CardWords::tr("Time")},
+        {"feedback", CardWords::tr("Feedback")},
+        {"questions", CardWords::tr("Questions")}};
     for (const auto& [key, title] : titles)
         if (name == QLatin1String(key))
             return title;
@@ -134,12 +152,33 @@ std::vector<std::pair<QString, QString>> participantFacts(const StudyDesign& des
         return {};
     return {{QStringLiteral("conditions"), conditionsWords(design, locale, language)},
             {QStringLiteral("asked"), askedWords(view)},
+            {QStringLiteral("sequence"), sequenceOf(view, locale)},
             {QStringLiteral("trials"), trialsWords(view, locale)},
-            {QStringLiteral("minutes"), minutesWords(view, locale)},
+            {QStringLiteral("minutes"), durationWords(design, locale)},
             {QStringLiteral("breaks"), breakWords(view, locale)},
             {QStringLiteral("time"), timeWords(view, locale)},
             {QStringLiteral("feedback"), feedbackWords(view)},
             {QStringLiteral("questions"), questionWords(view, locale)}};
+}
+
+QString durationWords(const StudyDesign& design, const QLocale& locale) {
+    const ParticipantView view = session::participantView(design);
+    const double minutes = view.minutes();
+    if (minutes <= 0.0)
+        return CardWords::tr("as long as the answers take");
+    const auto [shortest, longest] =
+        std::minmax_element(view.parts.begin(), view.parts.end(),
+                            [](const PartView& a, const PartView& b) { return a.trial_s < b.trial_s; });
+    const auto seconds = [&locale](double s) { return locale.toString(std::round(s)); };
+    const QString one = seconds(shortest->trial_s), other = seconds(longest->trial_s);
+    return CardWords::tr("about %1 min for all trials, if each takes %2 s")
+        .arg(locale.toString(static_cast<int>(std::ceil(minutes))),
+             one == other ? one : CardWords::tr("%1 to %2").arg(one, other));
+}
+
+QString sequenceWords(const StudyDesign& design, const QLocale& locale) {
+    const ParticipantView view = session::participantView(design);
+    return view.parts.empty() ? QString() : sequenceOf(view, locale);
 }
 
 ParticipantCard::ParticipantCard(const DesignPage& page, QWidget* parent) : QFrame(parent), m_page(page) {
@@ -152,8 +191,8 @@ ParticipantCard::ParticipantCard(const DesignPage& page, QWidget* parent) : QFra
     column->setContentsMargins(padding, padding, padding, padding);
     column->setSpacing(theme.px(2));
     column->addWidget(kit::label(theme, tr("What a participant will meet"), TextStyle::strong));
-    for (const char* name :
-         {"conditions", "asked", "trials", "minutes", "breaks", "time", "feedback", "questions"}) {
+    for (const char* name : {"conditions", "asked", "sequence", "trials", "minutes", "breaks", "time",
+                             "feedback", "questions"}) {
         column->addSpacing(theme.px(4));
         column->addWidget(kit::label(theme, titleOf(QLatin1String(name)), TextStyle::small, "muted"));
         auto* words = kit::label(theme, {}, TextStyle::body);

@@ -32,4 +32,11 @@ private:
 std::vector<std::pair<QString, QString>> participantFacts(const psychophysics::StudyDesign& design,
                                                           const QLocale& locale, const QString& language);
 
+/// How long the trials of a participant are expected to take, and what that depends on.
+QString durationWords(const psychophysics::StudyDesign& design, const QLocale& locale);
+
+/// What happens in each condition, in its order: from the instructions to the trials that count. Empty for a
+/// design without conditions.
+QString sequenceWords(const psychophysics::StudyDesign& design, const QLocale& locale);
+
 } // namespace chiron::desktop

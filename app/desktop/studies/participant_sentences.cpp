@@ -51,6 +51,11 @@ private:
     QLocale m_locale;
 };
 
+QString withUnit(const LanguageWords& words, double number,
+                 const char* unit) { // no line begins with the unit
+    return words.number(number) + QChar(QChar::Nbsp) + QLatin1String(unit);
+}
+
 const char* sentenceOf(const PartView& part) {
     if (part.apex())
         return QT_TRANSLATE_NOOP(
@@ -87,6 +92,42 @@ const char* sentenceOf(const PartView& part) {
     return "";
 }
 
+/// That every object has to be explored, in words of the movement; null if it need not be.
+const char* everyObject(const ParticipantView& view) {
+    bool lifts = true, pulls = true, presses = true, compares = false;
+    for (const PartView& part : view.parts) {
+        if (part.apex() || part.objects < 2)
+            continue;
+        compares = true;
+        const bool mass = part.attribute == psychophysics::Attribute::mass;
+        const bool held = session::isTakenHold(part.attribute);
+        lifts = lifts && mass;
+        pulls = pulls && held && !mass;
+        presses = presses && !held;
+    }
+    if (!view.mustTouchAll || !compares)
+        return nullptr;
+    if (lifts) // it pulls with its whole weight
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "Lift every object before you answer.");
+    if (pulls)
+        return view.probes
+                   ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                       "Pull every object before you answer; the screen says when "
+                                       "more force is needed.")
+                   : QT_TRANSLATE_NOOP("ParticipantSentences", "Pull every object before you answer.");
+    if (presses)
+        return view.probes
+                   ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                       "Touch every object before you answer; a graze is not enough, "
+                                       "and the screen says when more force is needed.")
+                   : QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer.");
+    return view.probes
+               ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                   "Explore every object before you answer; the screen says when more force "
+                                   "is needed.")
+               : QT_TRANSLATE_NOOP("ParticipantSentences", "Explore every object before you answer.");
+}
+
 QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
     QStringList said;
     if (view.parts.size() > 1)
@@ -99,14 +140,8 @@ QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
     if (tasks.size() > 1)
         said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "What you do differs from part to part:"));
     said << tasks;
-    const bool compares = std::any_of(view.parts.begin(), view.parts.end(),
-                                      [](const PartView& part) { return !part.apex() && part.objects > 1; });
-    if (view.mustTouchAll && compares)
-        said << words(
-            view.probes ? QT_TRANSLATE_NOOP("ParticipantSentences",
-                                            "Touch every object before you answer; a graze is not enough, "
-                                            "and the screen says when more force is needed.")
-                        : QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
+    if (const char* every = everyObject(view))
+        said << words(every);
     return said;
 }
 
@@ -266,6 +301,14 @@ QStringList participantSentences(const StudyDesign& design, const QString& langu
                      : words(QT_TRANSLATE_N_NOOP("ParticipantSentences",
                                                  "First come %n practice trial(s), which do not count."),
                              practice));
+    said << words(
+        view.parts.front().practice > 0
+            ? QT_TRANSLATE_NOOP("ParticipantSentences",
+                                "Before that you have a free minute to try the controls, which does "
+                                "not count either.")
+            : QT_TRANSLATE_NOOP("ParticipantSentences",
+                                "Before the trials you have a free minute to try the controls, "
+                                "which does not count."));
     said << time(view, words) << feedback(view, words) << breaks(view, words);
     return said + questions(view, words);
 }
@@ -274,19 +317,21 @@ QString limitSentence(const StudyDesign& design, const psychophysics::Condition&
                       const QString& language) {
     constexpr double kCentimetres = 100.0;
     const LanguageWords words(language);
-    const auto with = [&words](double number, const char* unit) -> QString { // no line begins with the unit
-        return words.number(number) + QChar(QChar::Nbsp) + QLatin1String(unit);
-    };
     const QString sentence =
-        session::isTakenHold(condition.stimulus.attribute)
+        condition.stimulus.attribute == psychophysics::Attribute::mass
+            ? words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                      "Move calmly and put objects down gently: a trial in which you press "
+                                      "one onto the table with more than %1, or move faster than %2 per "
+                                      "second on average, is repeated."))
+        : session::isTakenHold(condition.stimulus.attribute)
             ? words(QT_TRANSLATE_NOOP("ParticipantSentences",
                                       "Pull gently and move calmly: a trial in which you pull with more than "
                                       "%1, or move faster than %2 per second on average, is repeated."))
             : words(QT_TRANSLATE_NOOP("ParticipantSentences",
                                       "Press gently and move calmly: a trial in which you press with more "
                                       "than %1, or move faster than %2 per second on average, is repeated."));
-    return sentence.arg(with(design.fidelity.peakForce_N, "N"),
-                        with(kCentimetres * design.fidelity.meanSpeed_m_per_s, "cm"));
+    return sentence.arg(withUnit(words, design.fidelity.peakForce_N, "N"),
+                        withUnit(words, kCentimetres * design.fidelity.meanSpeed_m_per_s, "cm"));
 }
 
 QStringList limitSentences(const StudyDesign& design, const QString& language) {
@@ -295,6 +340,24 @@ QStringList limitSentences(const StudyDesign& design, const QString& language) {
         if (const QString sentence = limitSentence(design, condition, language); !said.contains(sentence))
             said << sentence;
     return said;
+}
+
+QStringList forceSentences(const StudyDesign& design, const StudyDevice& device, const QString& language) {
+    const LanguageWords words(language);
+    QString does = words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                           "The device of this station renders no force: you see how objects "
+                                           "respond, and nothing pushes against your hand."));
+    if (device.rendersForce && device.largestForce_N)
+        does =
+            words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                    "The device pushes back against your hand, with at most %1. You can let "
+                                    "go at any time, and the Esc key switches its force off at once."))
+                .arg(withUnit(words, *device.largestForce_N, "N"));
+    else if (device.rendersForce)
+        does = words(QT_TRANSLATE_NOOP("ParticipantSentences",
+                                       "The device pushes back against your hand. You can let go at any "
+                                       "time, and the Esc key switches its force off at once."));
+    return QStringList{does} + limitSentences(design, language);
 }
 
 const StudyText& ownSentences(const StudyDesign& design) {

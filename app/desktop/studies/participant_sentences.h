@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/studies/study_device.h"
 #include "psychophysics/study/study_design.h"
 
 #include <QString>
@@ -19,6 +20,10 @@ QString limitSentence(const psychophysics::StudyDesign& design, const psychophys
                       const QString& language);
 /// The same of all conditions of a design, each sentence once.
 QStringList limitSentences(const psychophysics::StudyDesign& design, const QString& language);
+/// What the device can do, and the limits of the study (limitSentences, the same as in the instructions), for
+/// somebody who is asked to consent.
+QStringList forceSentences(const psychophysics::StudyDesign& design, const StudyDevice& device,
+                           const QString& language);
 
 /// The researcher's own sentences in the instructions; the entire instructions if none have been generated
 /// from the settings yet.

@@ -44,7 +44,11 @@ PilotDialog::PilotDialog(AppContext& context, const psychophysics::StudyDesign& 
     m_agreed->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_agreed);
     setAccept(tr("Begin the pilot"));
-    connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
+    const auto weigh = [this] {
+        setAcceptable(m_agreed->isChecked(), tr("Tick the box first: whoever tries it must agree."));
+    };
+    connect(m_agreed, &QCheckBox::toggled, this, weigh);
+    weigh();
     m_agreed->setFocus();
 }
 

@@ -44,8 +44,8 @@ PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     if (page.masked) {
         column->addWidget(
             kit::notice(page.app.theme(), "info",
-                        tr("While the study is blinded, its conditions and the preview are sealed. "
-                           "Only the study's author can run a preview.")));
+                        tr("While the study is blinded, its conditions and their expected precision are "
+                           "sealed. Only the study's author can estimate it.")));
         column->addStretch();
         return;
     }
@@ -81,8 +81,10 @@ QWidget* PreviewPage::observerBox() {
     if (compared > 0) {
         box.layout->addWidget(kit::label(
             theme,
-            tr("Simulated observers run through the study without haptic rendering. Their true values are "
-               "known, so bias and precision can be estimated before the first participant."),
+            tr("The program calculates how precise the results will be: simulated observers, whose true "
+               "values are known, run through the study without haptic rendering. They are no participants, "
+               "and nothing of it is stored as data. To see the study as a participant does, use Pilot run "
+               "under Check and freeze."),
             TextStyle::body, "muted"));
         box.layout->addWidget(observerGrid());
     } else { // a Weber fraction does not predict how well an apex is found
@@ -96,12 +98,13 @@ QWidget* PreviewPage::observerBox() {
     if (compared > 1)
         box.layout->addWidget(powerGrid());
     auto* row = new QHBoxLayout;
-    m_start = kit::button(theme, tr("Preview"), "primary", QStringLiteral("media-playback-start"));
+    m_start =
+        kit::button(theme, tr("Estimate the precision"), "primary", QStringLiteral("media-playback-start"));
     m_start->setObjectName(QStringLiteral("preview.start"));
     m_cancel = kit::button(theme, tr("Cancel"));
     m_cancel->setObjectName(QStringLiteral("preview.cancel"));
     m_progress = new QProgressBar;
-    m_progress->setAccessibleName(tr("Progress of the preview"));
+    m_progress->setAccessibleName(tr("Progress of the simulation"));
     m_progress->setRange(0, kSteps);
     m_progress->setTextVisible(false);
     row->addWidget(m_start, 0, Qt::AlignLeft);
@@ -227,8 +230,10 @@ void PreviewPage::showPower() {
                                                    : tr("none up to × 10"));
         labels.name->setText(
             (m_power.paired
-                 ? tr("smallest ratio detectable with %1 power and %2 participants who do both conditions")
-                 : tr("smallest ratio detectable with %1 power and two groups of %2 participants"))
+                 ? tr("smallest ratio of two conditions' Weber fractions that is found with %1 power and %2 "
+                      "participants who do both conditions")
+                 : tr("smallest ratio of two conditions' Weber fractions that is found with %1 power and two "
+                      "groups of %2 participants"))
                 .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
     }
 }
@@ -269,7 +274,8 @@ void PreviewPage::finished(core::Result<std::vector<PreviewResult>> results) {
     setWorking(false);
     if (!results) {
         m_note->setVisible(results.error().code != core::ErrorCode::cancelled);
-        m_note->setText(tr("The preview failed. %1").arg(QString::fromStdString(results.error().message)));
+        m_note->setText(tr("The precision could not be estimated. %1")
+                            .arg(QString::fromStdString(results.error().message)));
         return;
     }
     while (QLayoutItem* item = m_results->takeAt(0)) {
@@ -327,10 +333,12 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
              study_words::number(std::pow(10.0, plan.sdLog10), locale),
              study_words::number(std::pow(10.0, plan.sdLog10 + plan.sdError) - std::pow(10.0, plan.sdLog10),
                                  locale, 2))));
-    fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale),
-                                 study_words::number(plan.trialsError, locale, 2)));
-    fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2),
-                                                   study_words::number(plan.minutesError, locale, 2)));
+    fact(tr("trials of one run of this condition"),
+         withError(study_words::number(plan.meanTrials, locale),
+                   study_words::number(plan.trialsError, locale, 2)));
+    fact(tr("minutes of one run, breaks included"),
+         withError(study_words::number(plan.minutes, locale, 2),
+                   study_words::number(plan.minutesError, locale, 2)));
     fact(tr("95 % intervals that contain the true value"),
          withError(study_words::percent(plan.coverage, locale),
                    study_words::percent(plan.coverageError, locale)));
@@ -374,8 +382,8 @@ void PreviewPage::addApexFacts(const psychophysics::Condition& condition,
             design.participantsPlanned),
          millimetres(spread_m /
                      std::sqrt(std::max(1.0, static_cast<double>(trials) * design.participantsPlanned))));
-    fact(tr("trials"), locale.toString(trials));
-    fact(tr("minutes, breaks included"),
+    fact(tr("trials of one run of this condition"), locale.toString(trials));
+    fact(tr("minutes of one run, breaks included"),
          study_words::number(psychophysics::minutesOf(condition, design.trial, trials), locale, 2));
 }
 

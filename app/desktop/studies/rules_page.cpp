@@ -8,8 +8,13 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/studies/text_claims.h"
 #include "desktop/widgets/kit.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "session/study/participant_view.h"
+#include "session/study/presentation_order.h"
 
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
 #include <algorithm>
 
 namespace chiron::desktop {
@@ -66,11 +71,79 @@ RulesPage::RulesPage(const DesignPage& page, QWidget* parent) : QWidget(parent) 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
+    if (!page.masked) // the codes do not say how a condition is run
+        column->addWidget(lengthBox(page));
     column->addWidget(rulesBox(page));
     column->addWidget(instructionsBox(page));
     column->addWidget(orderBox(page));
     column->addWidget(fidelityBox(page));
     column->addStretch();
+}
+
+namespace {
+
+/// The field of ProcedureForm from which the number of trials of a condition follows.
+QString lengthField(const Condition& condition) {
+    if (!condition.procedures.empty())
+        for (const Parameter& row : kindFor(condition.procedures.front()).rows())
+            if (row.isAsked() && (row.key == "trials" || row.key == "repeats"))
+                return QStringLiteral("procedure.0.") +
+                       QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size()));
+    return QStringLiteral("procedure.0.kind");
+}
+
+QString lengthWords(const Condition& condition, const DesignPage& page) {
+    const QString title = study_words::text(condition.title, page.app.language());
+    const QString name = title.isEmpty() ? QString::fromStdString(condition.id) : title;
+    const int most = session::trialsAtMost(condition);
+    if (most <= 0)
+        return RulesPage::tr("%1: as many trials as the answers need").arg(name);
+    return (session::trialsAreFixed(condition)
+                ? RulesPage::tr("%1: %n trial(s) that count", nullptr, most)
+                : RulesPage::tr("%1: at most %n trial(s) that count", nullptr, most))
+        .arg(name);
+}
+
+} // namespace
+
+/// The procedure of each condition sets its number of trials. People look for it here, so each line leads to
+/// the field.
+QWidget* RulesPage::lengthBox(const DesignPage& page) {
+    const Theme& theme = page.app.theme();
+    const kit::Box box = titledBox(theme, tr("Number of trials"));
+    auto* lines = new QWidget;
+    auto* grid = new QGridLayout(lines);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(theme.px(12));
+    grid->setColumnStretch(0, 1);
+    const std::vector<Condition>& conditions = page.draft.design().conditions;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        const int at = static_cast<int>(i);
+        auto* words = kit::label(theme, {}, TextStyle::body);
+        words->setObjectName(QStringLiteral("length.%1").arg(at));
+        auto* change =
+            kit::button(theme, page.readOnly ? tr("Show") : tr("Change"), "", QStringLiteral("go-next"));
+        change->setObjectName(QStringLiteral("length.change.%1").arg(at));
+        connect(change, &QPushButton::clicked, this, [this, at, &draft = page.draft] {
+            emit lengthAsked(at, lengthField(draft.design().conditions[static_cast<std::size_t>(at)]));
+        });
+        const auto show = [words, change, i, page] {
+            if (i >= page.draft.design().conditions.size())
+                return; // it has just been removed
+            words->setText(lengthWords(page.draft.design().conditions[i], page));
+            change->setAccessibleName(tr("Change: %1").arg(words->text()));
+        };
+        connect(&page.draft, &StudyDraft::changed, words, show);
+        show();
+        grid->addWidget(words, at, 0);
+        grid->addWidget(change, at, 1);
+    }
+    box.layout->addWidget(lines);
+    box.layout->addWidget(kit::label(theme,
+                                     tr("The procedure of each condition sets this number, on the page "
+                                        "Conditions. Practice and repeated trials are not included."),
+                                     TextStyle::small, "muted"));
+    return box.frame;
 }
 
 QWidget* RulesPage::rulesBox(const DesignPage& page) {
@@ -108,9 +181,9 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
     fields.number(tr("Shortest break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10},
                   tr("Participants go on after this time at the earliest."), 30);
     if (judged)
-        fields.check(
-            tr("Feedback"), "feedback", &TrialRules::feedback,
-            tr("Participants are told after each trial how well they did. It changes what is measured."));
+        fields.check(tr("Feedback"), "feedback", &TrialRules::feedback,
+                     tr("Participants are told after each trial how well they did. This feedback changes "
+                        "what is measured."));
     fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound,
                  tr("A steady noise hides the sounds of the device. Participants are told of it where it is "
                     "heard."));

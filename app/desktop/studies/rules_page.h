@@ -7,15 +7,20 @@
 
 namespace chiron::desktop {
 
-/// Edits the rules of a trial, breaks, instructions, order, blinding, and the limits beyond which a trial is
-/// repeated.
-/// Thread: GUI.
+/// Tells how many trials each condition has, and edits the rules of a trial, breaks, instructions, order,
+/// blinding, and the limits beyond which a trial is repeated. Thread: GUI.
 class RulesPage final : public QWidget {
     Q_OBJECT
 public:
     explicit RulesPage(const DesignPage& page, QWidget* parent = nullptr);
 
+signals:
+    /// Somebody wants to change the number of trials of a condition: the field of ConditionsPage that sets
+    /// it.
+    void lengthAsked(int condition, const QString& field);
+
 private:
+    QWidget* lengthBox(const DesignPage& page);
     QWidget* rulesBox(const DesignPage& page);
     QWidget* instructionsBox(const DesignPage& page);
     QWidget* orderBox(const DesignPage& page);

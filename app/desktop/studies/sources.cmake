@@ -4,7 +4,7 @@ set(study_screen_sources
     studies/freeze_checks.cpp studies/freeze_dialog.cpp studies/general_page.cpp studies/key_table_dialog.cpp studies/level_units.cpp studies/levels_table.cpp studies/new_study_dialog.cpp studies/number_list.cpp
     studies/participant_card.cpp studies/participant_progress.cpp studies/participant_sentences.cpp studies/participants_page.cpp studies/pilot_dialog.cpp studies/plan_words.cpp studies/preview_page.cpp studies/preview_work.cpp studies/procedure_form.cpp studies/quantity_text.cpp
     studies/questionnaires_page.cpp studies/rules_page.cpp studies/studies_actions.cpp studies/studies_screen.cpp studies/study_draft.cpp
-    studies/study_device.cpp studies/study_numbers.cpp studies/study_screen.cpp studies/study_screen_actions.cpp studies/study_jobs.cpp studies/study_titles.cpp studies/study_words.cpp studies/text_claims.cpp
+    studies/study_device.cpp studies/study_numbers.cpp studies/study_screen.cpp studies/study_screen_actions.cpp studies/study_jobs.cpp studies/study_titles.cpp studies/attribute_names.cpp studies/study_words.cpp studies/text_claims.cpp
     studies/weight_check.cpp studies/withdraw_dialog.cpp
     study_run/answer_panel.cpp study_run/condition_questions.cpp study_run/run_screen.cpp
     study_data/apex_page.cpp study_data/comparison_page.cpp study_data/group_page.cpp study_data/person_page.cpp study_data/quality_box.cpp study_data/questionnaire_summary.cpp study_data/replaced_folder.cpp study_data/study_data_actions.cpp

@@ -2,6 +2,8 @@
 #include "desktop/studies/study_device.h"
 
 #include "devices/driver_catalogue.h"
+#include "session/station.h"
+#include "session/study/study_limits.h"
 
 #include <QCoreApplication>
 
@@ -15,6 +17,16 @@ struct DeviceWords {
 
 bool studyDeviceRendersForce() {
     return devices::usualDriver(devices::MovedBy::person).deviceClass == devices::DeviceClass::felt;
+}
+
+StudyDevice studyDevice() {
+    StudyDevice device{studyDeviceRendersForce(), {}};
+    if (!device.rendersForce)
+        return device;
+    if (const auto station = session::keyboardMouseStation(); station && !station->tools.empty())
+        device.largestForce_N =
+            session::renderingLimits(station->tools.front().device->descriptor()).largestForce_N;
+    return device;
 }
 
 QString shownOnlyWords() {

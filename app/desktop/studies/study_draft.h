@@ -32,8 +32,8 @@ public:
     /// Counts every change of design(), also by Undo and Redo: a later step can be told from an earlier one.
     int version() const noexcept { return m_version; }
 
-    /// Short names of conditions that somebody typed while this design is open. They no longer follow a
-    /// title.
+    /// Names that somebody typed while this design is open: titles, and short names of conditions. They no
+    /// longer follow a title or a setting.
     void keepName(const std::string& id);
     bool isKeptName(const std::string& id) const { return m_keptNames.contains(id); }
 

@@ -26,15 +26,34 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QTabBar>
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr int kCheck_ms = 300;
-constexpr double kBeside_px = 800; // total width of page and card
+constexpr double kBeside_px = 800;       // total width of page and card
+constexpr double kLeastForMissing = 180; // margins, spacing and a word of what freezing waits for
+
+/// The bar below the page. Its width decides how much the button Next says.
+class StepBar final : public QWidget {
+public:
+    explicit StepBar(std::function<void()> resized) : m_resized(std::move(resized)) {}
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QWidget::resizeEvent(event);
+        m_resized();
+    }
+
+private:
+    std::function<void()> m_resized;
+};
 } // namespace
 
 StudyScreen::StudyScreen(AppContext& context, const Place& place)
@@ -57,6 +76,11 @@ StudyScreen::StudyScreen(AppContext& context, const Place& place)
     connect(&m_draft, &StudyDraft::structureChanged, this, &StudyScreen::showPage, Qt::QueuedConnection);
 }
 
+/// The stack says that it is emptied when it is destroyed, and what the screen shows is gone by then.
+StudyScreen::~StudyScreen() {
+    m_draft.history().disconnect(this);
+}
+
 QString StudyScreen::title() const {
     const QString name = QString::fromStdString(m_open.summary.title);
     return name.isEmpty() ? tr("Study") : name;
@@ -68,7 +92,7 @@ QString StudyScreen::help() const {
               "name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said "
               "under its field. Beside the pages "
               "stands what a participant will meet.\n\nConditions defines what is compared, with which task "
-              "and procedure. Preview runs the "
+              "and procedure. Expected precision runs the "
               "study with simulated observers and shows the expected precision, number of trials and time. "
               "Check and freeze says what is "
               "missing, lets somebody try the design as a pilot, and freezes it permanently under its "
@@ -111,6 +135,12 @@ void StudyScreen::loaded(core::Result<OpenStudy> study) {
     m_panel->showContent();
     if (renewed)
         changed(); // it is stored like any other change
+    if (!readOnly())
+        for (const FreezeCheck& check : missing()) // whoever opens it begins where something is needed
+            if (check.tab == m_tab && !check.field.isEmpty()) {
+                goToField(check.tab, check.condition, check.field);
+                break;
+            }
 }
 
 bool StudyScreen::readOnly() const {
@@ -122,32 +152,33 @@ bool StudyScreen::readOnly() const {
 void StudyScreen::build() {
     delete m_view; // removes the previous view
     m_back = m_next = nullptr;
+    m_missing = nullptr;
+    m_steps = nullptr;
     auto* scroll = new ScrollPage(context().theme(), 1200);
-    m_view = scroll;
+    m_scroll = scroll;
+    m_view = new QWidget;
+    auto* whole = new QVBoxLayout(m_view);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->setSpacing(0);
+    whole->addWidget(scroll, 1);
     QVBoxLayout* column = scroll->column();
     column->setSpacing(context().theme().px(12));
     column->addWidget(headRow());
     column->addWidget(toolRow());
     const QLocale locale = context().locale();
+    m_tabNames.clear();
     QStringList names;
-    for (const QString& name : {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"),
-                                m_open.editable() ? tr("Check and freeze") : tr("Participants")})
+    for (const QString& name :
+         {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Expected precision"),
+          m_open.editable() ? tr("Check and freeze") : tr("Participants")}) {
+        m_tabNames << name;
         names << (m_open.editable() ? tr("%1. %2").arg(locale.toString(names.size() + 1), name) : name);
+    }
     m_bar = kit::tabBar(context().theme(), tr("Parts of the study"), names);
     m_bar->setObjectName(QStringLiteral("study.tabs"));
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
     column->addWidget(m_bar);
-    // What cannot be changed has no faults, so nothing takes the room of the page.
-    m_faults =
-        new NoticeArea(context().theme(), readOnly() ? NoticeArea::Room::none : NoticeArea::Room::kept);
-    m_faults->setObjectName(QStringLiteral("study.faults"));
-    column->addWidget(m_faults);
-    m_toFault = kit::button(context().theme(), tr("Show the first"), "", QStringLiteral("go-next"));
-    m_toFault->setObjectName(QStringLiteral("study.to_fault"));
-    m_toFault->hide();
-    connect(m_toFault, &QPushButton::clicked, this, &StudyScreen::goToFirstFault);
-    column->addWidget(m_toFault, 0, Qt::AlignLeft);
     auto* holder = new QWidget;
     m_holder = new QVBoxLayout(holder);
     m_holder->setContentsMargins(0, 0, 0, 0);
@@ -163,9 +194,10 @@ void StudyScreen::build() {
         row->add(beside, 2);
     }
     column->addWidget(row, 1);
-    if (m_open.editable())
-        column->addWidget(stepRow());
-    m_panel->setContent(scroll);
+    whole->addWidget(faultBar());
+    if (m_open.editable()) // below the page, so that nobody scrolls to go on
+        whole->addWidget(stepRow());
+    m_panel->setContent(m_view);
     showPage();
     showState();
 }
@@ -231,28 +263,102 @@ QWidget* StudyScreen::toolRow() {
     return bar;
 }
 
-QWidget* StudyScreen::stepRow() {
+/// What is wrong, below the page: it takes room from the end of the page only while something is wrong, and
+/// no control of the page moves when it appears.
+QWidget* StudyScreen::faultBar() {
     const Theme& theme = context().theme();
     auto* bar = new QWidget;
     auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(theme.px(24), 0, theme.px(24), 0);
+    row->setSpacing(theme.px(12));
+    m_faults = new NoticeArea(theme, NoticeArea::Room::none);
+    m_faults->setObjectName(QStringLiteral("study.faults"));
+    row->addWidget(m_faults, 1);
+    m_toFault = kit::button(theme, tr("Show the first"), "", QStringLiteral("go-next"));
+    m_toFault->setObjectName(QStringLiteral("study.to_fault"));
+    m_toFault->hide();
+    connect(m_toFault, &QPushButton::clicked, this, &StudyScreen::goToFirstFault);
+    row->addWidget(m_toFault);
+    return bar;
+}
+
+QWidget* StudyScreen::stepRow() {
+    const Theme& theme = context().theme();
+    auto* bar = new StepBar([this] { showSteps(); });
+    m_steps = bar;
+    auto* column = new QVBoxLayout(bar);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(kit::rule());
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
+    row->setContentsMargins(theme.px(24), theme.px(8), theme.px(24), theme.px(8));
+    row->setSpacing(theme.px(12));
     m_back = kit::button(theme, tr("Back"), "", QStringLiteral("go-previous"));
     m_back->setObjectName(QStringLiteral("study.back"));
     connect(m_back, &QPushButton::clicked, this, [this] { step(-1); });
     m_next = kit::button(theme, tr("Next"), "primary", QStringLiteral("go-next"));
     m_next->setObjectName(QStringLiteral("study.next"));
-    connect(m_next, &QPushButton::clicked, this, [this] { step(1); });
+    connect(m_next, &QPushButton::clicked, this, &StudyScreen::stepOn);
+    m_missing = kit::label(theme, {}, TextStyle::small, "muted");
+    m_missing->setObjectName(QStringLiteral("study.missing"));
+    m_missing->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_back);
-    row->addStretch();
+    row->addWidget(m_missing, 1);
     row->addWidget(m_next);
     return bar;
+}
+
+/// The next page by its name, and what freezing still waits for.
+void StudyScreen::showSteps() {
+    if (!m_next)
+        return;
+    m_back->setEnabled(m_tab > 0);
+    QStringList needed;
+    if (!readOnly())
+        for (const FreezeCheck& check : missing())
+            needed << check.title;
+    m_missing->setText(needed.isEmpty()
+                           ? QString()
+                           : tr("Needed before it can be frozen: %1").arg(needed.join(QStringLiteral(", "))));
+    const bool last = m_tab + 1 >= tabs;
+    m_next->setVisible(!last || !readOnly());
+    const QString words = nextWords(needed);
+    m_next->setText(words);
+    m_next->setAccessibleName(words);
+    // Large type leaves no room for the name of the page; the bar above shows it.
+    const int room = m_steps->width() - m_back->sizeHint().width() - context().theme().px(kLeastForMissing);
+    if (m_next->sizeHint().width() > room)
+        m_next->setText(last && needed.isEmpty() ? tr("Freeze …") : tr("Next"));
+}
+
+QString StudyScreen::nextWords(const QStringList& needed) const {
+    if (m_tab + 1 < tabs)
+        return tr("Next: %1").arg(m_tabNames.value(m_tab + 1));
+    return needed.isEmpty() ? tr("Freeze …") : tr("Next: correct “%1”").arg(needed.front());
+}
+
+std::vector<FreezeCheck> StudyScreen::missing() const {
+    std::vector<FreezeCheck> checks =
+        freezeChecks(m_draft.design(), {m_wrong, std::nullopt}, context().locale());
+    std::erase_if(checks, [](const FreezeCheck& check) { return check.state != FreezeCheck::State::bad; });
+    return checks;
+}
+
+void StudyScreen::stepOn() {
+    if (m_tab + 1 < tabs)
+        step(1);
+    else if (const std::vector<FreezeCheck> first = missing(); !first.empty())
+        goToField(first.front().tab, first.front().condition, first.front().field);
+    else
+        askFreeze();
 }
 
 void StudyScreen::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const QWidget* at = window()->focusWidget();
     const bool line = qobject_cast<const QLineEdit*>(at) || qobject_cast<const QAbstractSpinBox*>(at);
-    if (enter && line && m_next && !m_next->isHidden() && m_page && m_page->isAncestorOf(at))
+    if (enter && line && m_next && m_tab + 1 < tabs && m_page && m_page->isAncestorOf(at))
         step(1);
     else
         Screen::keyPressEvent(event);
@@ -296,8 +402,8 @@ void StudyScreen::goToField(int tab, int condition, const QString& field) {
     QMetaObject::invokeMethod(
         found,
         [this, found] { // once the page has its size
-            if (auto* scroll = qobject_cast<QScrollArea*>(m_view))
-                scroll->ensureWidgetVisible(found, 0, context().theme().px(kCheck_ms / 3));
+            if (m_scroll)
+                m_scroll->ensureWidgetVisible(found, 0, context().theme().px(kCheck_ms / 3));
         },
         Qt::QueuedConnection);
 }
@@ -329,8 +435,8 @@ void StudyScreen::showTab(int tab) {
     }
     note();
     showPage();
-    if (auto* page = qobject_cast<ScrollPage*>(m_view))
-        page->verticalScrollBar()->setValue(0); // a new page starts at its top
+    if (m_scroll)
+        m_scroll->verticalScrollBar()->setValue(0); // a new page starts at its top
 }
 
 void StudyScreen::note() {
@@ -355,10 +461,7 @@ void StudyScreen::showPage() {
     }
     m_holder->addWidget(m_page);
     showFaults();
-    if (m_back) {
-        m_back->setEnabled(m_tab > 0);
-        m_next->setVisible(m_tab + 1 < tabs);
-    }
+    showSteps();
     if (!focused.isEmpty())
         if (auto* again = m_page->findChild<QWidget*>(focused))
             again->setFocus();
@@ -366,8 +469,9 @@ void StudyScreen::showPage() {
 
 void StudyScreen::sayPreviewEnds() {
     if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
-        context().messages().information(tr("The preview was stopped because you left its page, and nothing "
-                                            "of it was kept. Press Preview there to calculate it again."));
+        context().messages().information(tr("The simulation was stopped because you left its page, and "
+                                            "nothing of it was kept. Press Estimate the precision there to "
+                                            "calculate it again."));
 }
 
 DesignPage StudyScreen::designPage() {
@@ -387,8 +491,14 @@ QWidget* StudyScreen::makePage() {
         });
         return conditions;
     }
-    case trialsTab:
-        return new RulesPage(page);
+    case trialsTab: {
+        auto* rules = new RulesPage(page);
+        connect(
+            rules, &RulesPage::lengthAsked, this,
+            [this](int condition, const QString& field) { goToField(conditionsTab, condition, field); },
+            Qt::QueuedConnection); // the button that asks is on the page that is left
+        return rules;
+    }
     case questionnairesTab:
         return new QuestionnairesPage(page);
     case previewTab:

@@ -43,6 +43,7 @@ public:
     };
 
     StudyScreen(AppContext& context, const Place& place);
+    ~StudyScreen() override;
 
     QString title() const override;
     QString help() const override;
@@ -68,7 +69,12 @@ private:
     void build();
     QWidget* headRow();
     QWidget* toolRow();
+    QWidget* faultBar();
     QWidget* stepRow();
+    QString nextWords(const QStringList& needed) const;
+    void showSteps();
+    void stepOn(); ///< to the next page; on the last one to what is missing, or to freezing
+    std::vector<FreezeCheck> missing() const; ///< what prevents freezing, known without simulating
     void showPage();
     void sayPreviewEnds(); ///< warns if a preview is running on the page being left
     void showFaults();
@@ -112,7 +118,11 @@ private:
     int m_version = 0; ///< of the design; counts changes
     QTimer m_check{this};
     StatePanel* m_panel = nullptr;
-    QWidget* m_view = nullptr; ///< head, tabs and page; null until the study is loaded
+    QWidget* m_view = nullptr; ///< head, tabs, page and steps; null until the study is loaded
+    ScrollPage* m_scroll = nullptr;
+    QStringList m_tabNames;
+    QWidget* m_steps = nullptr;  ///< the bar with Back and Next
+    QLabel* m_missing = nullptr; ///< beside Next: what freezing still waits for
     QTabBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
     NoticeArea* m_faults = nullptr;

@@ -103,6 +103,8 @@ void StudyScreen::showState() {
         words << (study.unblinded ? tr("unblinded") : tr("blind"));
     if (!readOnly())
         words << (m_saved ? tr("all changes saved") : m_good ? tr("saving …") : tr("not saved"));
+    if (!readOnly() && !m_good)
+        words << tr("cannot be frozen before the entries marked in red are corrected");
     m_state->setText(words.join(QStringLiteral(" · ")));
     if (m_undo) {
         m_undo->setEnabled(m_draft.history().canUndo());
@@ -111,6 +113,7 @@ void StudyScreen::showState() {
                                     : !m_saved ? tr("The last changes are still being saved.")
                                                : QString());
     }
+    showSteps();
 }
 
 bool StudyScreen::mayLeave() {

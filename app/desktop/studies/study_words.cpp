@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <map>
+#include <set>
 
 namespace chiron::desktop::study_words {
 
@@ -105,6 +106,68 @@ QString taskInWords(Task task) {
     return {};
 }
 
+QString otherNames(Attribute attribute) {
+    switch (attribute) {
+    case Attribute::stiffness:
+        return Words::tr("softness, hardness, compliance, elasticity, spring");
+    case Attribute::mass:
+        return Words::tr("weight, heaviness, lifting");
+    case Attribute::deformation:
+        return Words::tr("recovery, relaxation, softness");
+    case Attribute::roughness:
+        return Words::tr("texture, smoothness");
+    case Attribute::friction:
+        return Words::tr("slipperiness, stickiness, sliding");
+    case Attribute::viscosity:
+        return Words::tr("damping, resistance");
+    case Attribute::apex:
+        return Words::tr("localisation, position, highest point, shape");
+    }
+    return {};
+}
+
+QString otherNames(Task task) {
+    switch (task) {
+    case Task::rank3:
+    case Task::rank3Ties:
+        return Words::tr("ordering, sorting");
+    case Task::twoAfc:
+        return Words::tr("2AFC, 2IFC, two-alternative forced choice, comparison, discrimination");
+    case Task::threeAfc:
+        return Words::tr("3AFC, three-alternative forced choice, discrimination");
+    case Task::oddity:
+        return Words::tr("oddity, triangle test, discrimination");
+    case Task::sameDifferent:
+        return Words::tr("same-different, AX, discrimination");
+    case Task::yesNo:
+        return Words::tr("yes-no, single stimulus");
+    case Task::adjustment:
+        return Words::tr("matching, point of subjective equality, PSE");
+    case Task::magnitude:
+        return Words::tr("scaling, rating, power law");
+    }
+    return {};
+}
+
+QString otherNames(const std::vector<psychophysics::Condition>& conditions) {
+    std::set<Attribute> attributes;
+    for (const psychophysics::Condition& condition : conditions)
+        attributes.insert(condition.stimulus.attribute);
+    const auto several = [](std::size_t count, const QString& one, const QString& two, const QString& three,
+                            const QString& many) {
+        const QString number = QString::number(count);
+        return count == 1 ? one : many.arg(number) + QStringLiteral(", ") + (count == 2 ? two : three);
+    };
+    // Each in figures and in words, as people type it.
+    return several(conditions.size(), Words::tr("1 condition, one condition"),
+                   Words::tr("two conditions, comparison of conditions"),
+                   Words::tr("three conditions, comparison of conditions"), Words::tr("%1 conditions")) +
+           QStringLiteral(", ") +
+           several(attributes.size(), Words::tr("1 attribute, one attribute"),
+                   Words::tr("two attributes, comparison of attributes"),
+                   Words::tr("three attributes, comparison of attributes"), Words::tr("%1 attributes"));
+}
+
 namespace {
 
 /// "stiffer", "heavier" ...: the comparative of the felt attribute.
@@ -153,6 +216,52 @@ QString question(Task task, Attribute attribute) {
         return Words::tr("Change object 2 until both seem the same.");
     case Task::magnitude:
         return Words::tr("Give a number to what you perceive. Any positive number is allowed.");
+    }
+    return {};
+}
+
+namespace {
+
+/// "1, 3, 2": from least to most; "1, 2 = 3" where two are equal.
+QString rankingText(int answer) {
+    if (answer < 0 || answer >= psychophysics::kRankings)
+        return {};
+    const psychophysics::Ranking& ranks = psychophysics::rankings()[static_cast<std::size_t>(answer)];
+    QStringList steps;
+    for (int rank = 0; rank < 3; ++rank) {
+        QStringList alike;
+        for (std::size_t place = 0; place < ranks.size(); ++place)
+            if (ranks[place] == rank)
+                alike << QString::number(place + 1);
+        if (!alike.isEmpty())
+            steps << alike.join(QStringLiteral(" = "));
+    }
+    return steps.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+QString answer(Task task, Attribute attribute, int answer, std::optional<double> value,
+               const QLocale& locale) {
+    if (answer < 0 || answer >= psychophysics::answers(task))
+        return {};
+    switch (task) {
+    case Task::rank3:
+    case Task::rank3Ties:
+        return rankingText(answer);
+    case Task::twoAfc:
+    case Task::threeAfc:
+        return Words::tr("%1 is %2").arg(QString::number(answer + 1), more(attribute));
+    case Task::oddity:
+        return Words::tr("%1 is unlike the others").arg(answer + 1);
+    case Task::sameDifferent:
+        return answer == 0 ? Words::tr("the same") : Words::tr("different");
+    case Task::yesNo:
+        return answer == 0 ? Words::tr("no") : Words::tr("yes");
+    case Task::adjustment:
+        return Words::tr("both are the same");
+    case Task::magnitude:
+        return value ? plainNumber(*value, locale) : QString();
     }
     return {};
 }

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,17 @@ QString attribute(psychophysics::Attribute attribute);
 QString task(psychophysics::Task task);
 /// The participant's task in one sentence, for the researcher.
 QString taskInWords(psychophysics::Task task);
+/// Other words by which people look for a study of this attribute or task, separated by spaces or commas.
+QString otherNames(psychophysics::Attribute attribute);
+QString otherNames(psychophysics::Task task);
+/// The same for the number of its conditions, and of the attributes in which they differ.
+QString otherNames(const std::vector<psychophysics::Condition>& conditions);
 /// The question to a participant, without a value or the name of a condition.
 QString question(psychophysics::Task task, psychophysics::Attribute attribute);
+/// A participant's answer in their words ("2 is heavier"; a ranking from least to most), as
+/// psychophysics::answers counts them; `value`: a stated number. Empty if it is no answer of the task.
+QString answer(psychophysics::Task task, psychophysics::Attribute attribute, int answer,
+               std::optional<double> value, const QLocale& locale);
 /// The name of a procedure by kind ("staircase") or by id with version ("staircase@1"); several are separated
 /// by commas.
 QString procedure(std::string_view id);

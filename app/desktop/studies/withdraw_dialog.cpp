@@ -12,10 +12,22 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
     : FormDialog(context, QStringLiteral("withdraw"),
                  tr("Withdraw %1").arg(QString::fromStdString(participant.code)), parent),
       m_participant(participant) {
-    column()->addWidget(kit::label(
-        theme(),
-        tr("The participant leaves the study; open runs are stopped. What was recorded stays under the "
-           "code, and the place in the order is free again.")));
+    const QString code = QString::fromStdString(participant.code);
+    const auto say = [this](const char* name, const QString& words) {
+        auto* label = kit::label(theme(), words);
+        label->setObjectName(QLatin1String(name));
+        column()->addWidget(label);
+    };
+    say("withdraw.when", tr("Withdraw %1 only if they leave the study for good. If they merely stopped for "
+                            "today, do not withdraw them: an interrupted run is resumed under Run.")
+                             .arg(code));
+    say("withdraw.kept",
+        tr("What is kept: everything that was recorded, under the code. Nothing is erased, unless "
+           "the participant wants it (below)."));
+    say("withdraw.counts", tr("What no longer counts: this participant's answers, also those of finished "
+                              "runs. They are left out of group values and comparisons."));
+    say("withdraw.ends", tr("What ends: an open run cannot be resumed, and no other can be begun. The place "
+                            "in the order of conditions is free for the next participant."));
     m_erase = new QCheckBox(tr("The participant wants the recordings erased"));
     m_erase->setObjectName(QStringLiteral("withdraw.erase"));
     m_erase->setFont(theme().font(TextStyle::body));
@@ -25,7 +37,8 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
                                       "them then erases the recordings (People, Erase a participant)."),
                                    TextStyle::small, "muted"));
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone.")));
-    setAccept(tr("Withdraw"), "danger");
+    setAccept(tr("Withdraw %1").arg(code), "danger");
+    setCancel(tr("Do not withdraw"));
     setAcceptable(true);
     cancelAtEnter();
 }

@@ -35,6 +35,14 @@ void ComparisonPage::fill(QVBoxLayout& layout) {
         return say(tr("This study has only one condition, so there is nothing to compare it with."));
     if (m_facts.study.blind())
         return say(session_report::comparisonSealed());
+    for (std::size_t i = 0; i < m_facts.groups.size(); ++i)
+        if (const QString words =
+                session_report::weberOfCondition(m_facts.groups[i], name(i), m_app.locale());
+            !words.isEmpty()) {
+            auto* weber = kit::label(theme, words, TextStyle::strong);
+            weber->setObjectName(QStringLiteral("data.compared_weber"));
+            layout.addWidget(weber);
+        }
     for (const session::ComparedConditions& each : m_facts.comparisons) {
         auto* verdict = kit::label(theme, session_report::comparisonVerdict(
                                               each, name(each.first), name(each.second), m_app.locale()));

@@ -2,6 +2,7 @@
 #include "desktop/study_run/answer_panel.h"
 
 #include "desktop/studies/study_words.h"
+#include "desktop/study_run/large_texts.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
@@ -12,10 +13,6 @@
 namespace chiron::desktop {
 
 using psychophysics::Task;
-
-namespace {
-constexpr double kLargeScale = 1.5;
-}
 
 QStringList AnswerPanel::placeNames(int places) {
     if (places == 1)
@@ -35,7 +32,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     words->setObjectName(QStringLiteral("answer.question"));
     words->setAlignment(Qt::AlignCenter);
     column->addWidget(words);
-    m_why = kit::label(theme, QStringLiteral(" "), TextStyle::body, "muted");
+    m_why = kit::label(theme, QStringLiteral(" "), TextStyle::strong);
     m_why->setObjectName(QStringLiteral("answer.why"));
     m_why->setAlignment(Qt::AlignCenter);
     column->addWidget(m_why);
@@ -114,7 +111,7 @@ QPushButton* AnswerPanel::add(const QString& text, const QString& name, const ch
     auto* button = kit::button(m_theme, text, kind);
     button->setObjectName(name);
     // At a large scale the smaller font is large enough and needs fewer lines.
-    button->setFont(m_theme.font(m_theme.scale() < kLargeScale ? TextStyle::title : TextStyle::strong));
+    button->setFont(m_theme.font(areTextsLarge(m_theme) ? TextStyle::strong : TextStyle::title));
     m_row->layout()->addWidget(button);
     return button;
 }

@@ -2,6 +2,7 @@
 #include "desktop/study_run/apex_stage.h"
 
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/study_run/large_texts.h"
 #include "desktop/training/scene_feed.h"
 #include "desktop/widgets/kit.h"
 
@@ -35,15 +36,20 @@ QWidget* ApexStage::buildFoot(const Theme& theme) {
     auto* question = kit::label(theme, tr("Where is the highest point?"), TextStyle::title);
     question->setObjectName(QStringLiteral("apex.question"));
     question->setAlignment(Qt::AlignCenter);
-    column->addWidget(question);
     m_mark = kit::button(theme, tr("Here it is (Enter)"), "primary");
     m_mark->setObjectName(QStringLiteral("apex.mark"));
     m_mark->setFont(theme.font(TextStyle::title));
     m_mark->setFocusPolicy(Qt::NoFocus); // Enter belongs to the screen
     m_mark->setEnabled(false);
     connect(m_mark, &QPushButton::clicked, this, &ApexStage::markAsked);
-    column->addWidget(m_mark, 0, Qt::AlignHCenter);
-    m_words = kit::label(theme, QStringLiteral(" "), TextStyle::body, "muted");
+    // At a large scale the scene needs the room of a line.
+    const bool beside = areTextsLarge(theme);
+    auto* asked = beside ? static_cast<QBoxLayout*>(new QHBoxLayout) : new QVBoxLayout;
+    asked->setSpacing(column->spacing());
+    asked->addWidget(question, beside ? 1 : 0);
+    asked->addWidget(m_mark, 0, Qt::AlignHCenter);
+    column->addLayout(asked);
+    m_words = kit::label(theme, QStringLiteral(" "), TextStyle::strong);
     m_words->setObjectName(QStringLiteral("apex.words"));
     m_words->setAlignment(Qt::AlignCenter);
     column->addWidget(m_words);

@@ -6,6 +6,7 @@
 
 #include <QKeyEvent>
 #include <QProgressBar>
+#include <QScrollBar>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -13,9 +14,9 @@ namespace chiron::desktop {
 BreakPanel::BreakPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
-    auto* page = new ScrollPage(theme, 760);
-    all->addWidget(page);
-    QVBoxLayout* column = page->column();
+    m_page = new ScrollPage(theme, 760);
+    all->addWidget(m_page);
+    QVBoxLayout* column = m_page->column();
     column->setSpacing(theme.px(16));
     column->addStretch(1);
     m_title = kit::label(theme, {}, TextStyle::display);
@@ -41,10 +42,25 @@ BreakPanel::BreakPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
     column->addWidget(m_more, 0, Qt::AlignHCenter);
     connect(m_more, &QPushButton::clicked, this, &BreakPanel::moreAsked);
     column->addStretch(2);
+    auto* more = kit::label(theme, tr("Enter or Space: read on"), TextStyle::small, "muted");
+    more->setObjectName(QStringLiteral("break.read_on"));
+    more->setAlignment(Qt::AlignHCenter);
+    more->hide();
+    all->addWidget(more);
+    const auto showMore = [this, more] {
+        const QScrollBar& bar = *m_page->verticalScrollBar();
+        more->setVisible(bar.value() < bar.maximum());
+        if (more->isVisible() && m_button->hasFocus())
+            setFocus(Qt::OtherFocusReason); // Enter reads on, and presses nothing that is not seen
+    };
+    connect(m_page->verticalScrollBar(), &QScrollBar::rangeChanged, more, showMore);
+    connect(m_page->verticalScrollBar(), &QScrollBar::valueChanged, more, showMore);
     connect(m_button, &QPushButton::clicked, this, &BreakPanel::acted);
 }
 
 void BreakPanel::say(const QString& title, const QString& text, const QString& action) {
+    if (m_text->text() != text)
+        m_page->verticalScrollBar()->setValue(0);
     m_title->setText(title);
     m_text->setText(text);
     m_text->setVisible(!text.isEmpty());
@@ -67,13 +83,28 @@ void BreakPanel::countDown(double left_s, double of_s) {
     }
 }
 
+/// Enter would press a focused button, also below the end of what is visible.
 void BreakPanel::focusButton() {
-    if (m_button->isVisibleTo(this))
+    const QScrollBar& bar = *m_page->verticalScrollBar();
+    if (bar.value() < bar.maximum())
+        setFocus(Qt::OtherFocusReason);
+    else if (m_button->isVisibleTo(this))
         m_button->setFocus(Qt::OtherFocusReason);
+}
+
+bool BreakPanel::readOn() {
+    QScrollBar& bar = *m_page->verticalScrollBar();
+    if (bar.value() >= bar.maximum())
+        return false;
+    bar.triggerAction(QAbstractSlider::SliderPageStepAdd);
+    focusButton();
+    return true;
 }
 
 void BreakPanel::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && !m_more->hasFocus() && readOn())
+        return;
     if (enter && m_button->isVisibleTo(this) && m_button->isEnabled() && !m_more->hasFocus())
         m_button->click();
     else

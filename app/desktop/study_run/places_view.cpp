@@ -19,6 +19,7 @@ constexpr double kFloor = 0.62;        // height of y = 0, z = 0 as a share of t
 constexpr double kPadHeight_m = 0.006;
 constexpr double kShaft_m = 0.09;
 constexpr double kFootRadius_m = 0.0102; // of the foot below a tube or an object
+constexpr double kBodyHeight_m = 0.014;  // of an object that can be lifted, below its ring
 constexpr double kLimitShare = 0.8;      // of the force bar's height at which the limit is marked
 
 } // namespace
@@ -33,6 +34,8 @@ PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* pa
 void PlacesView::show(const haptics::DisplayState& state, const Now& now) {
     m_haveTool = state.tools > 0;
     m_tool = state.tool[0];
+    if (now.place != m_now.place)
+        m_taken_m = m_tool.p_WProxy_m;
     m_now = now;
     update();
 }
@@ -116,6 +119,55 @@ void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     painter.drawEllipse(end, radius, radius);
 }
 
+double PlacesView::drawnHeight_m(int place) const {
+    return isCarried(place) ? std::max(0.0, m_now.lift_m) : 0.0;
+}
+
+/// An object that is lifted by its ring: it leaves its place on the table, with a shadow below it, and stands
+/// there again once it was put down.
+void PlacesView::paintObject(QPainter& painter, int place) const {
+    const double home_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
+    const bool carried = isCarried(place);
+    const double x = home_m + (carried ? m_tool.p_WProxy_m[0] - m_taken_m[0] : 0.0);
+    const double y = carried ? m_tool.p_WProxy_m[1] - m_taken_m[1] : 0.0;
+    const double z = drawnHeight_m(place);
+    const double scale = pixelsPerMetre(y);
+    const double rx = kFootRadius_m * scale;
+    const double ry = rx * kTilt;
+    const QColor body = m_theme.color(Colour::accentSoft);
+    const QPen edge(m_theme.color(Colour::accent), m_theme.px(1));
+    if (z > 0.0) {
+        const double home = kFootRadius_m * pixelsPerMetre(0.0);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(2), Qt::DashLine));
+        painter.drawEllipse(project(home_m, 0, 0), home, home * kTilt);
+        QColor dark = m_theme.color(Colour::text);
+        dark.setAlpha(60);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(dark);
+        painter.drawEllipse(project(x, y, 0), rx, ry);
+    }
+    const QPointF foot = project(x, y, z);
+    const QPointF top = project(x, y, z + kBodyHeight_m);
+    QPainterPath wall;
+    wall.moveTo(top.x() - rx, top.y());
+    wall.arcTo(QRectF(foot.x() - rx, foot.y() - ry, 2 * rx, 2 * ry), 180, 180);
+    wall.lineTo(top.x() + rx, top.y());
+    wall.closeSubpath();
+    painter.setPen(edge);
+    painter.setBrush(body.darker(118));
+    painter.drawPath(wall);
+    painter.setBrush(body);
+    painter.drawEllipse(top, rx, ry);
+    const double radius = m_setup.gripRadius_m * scale; // the whole drawn ring can be taken hold of
+    const QPointF ring = project(x, y, z + m_setup.gripHeight_m);
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(3)));
+    painter.drawLine(top, ring + QPointF(0, radius));
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(2)));
+    painter.setBrush(body.lighter(108));
+    painter.drawEllipse(ring, radius, radius);
+}
+
 /// The line below which the tool lets go, the same at every object whatever it is made of.
 void PlacesView::paintLetGo(QPainter& painter, double x_m) const {
     if (m_setup.letGoHeight_m <= 0.0)
@@ -166,7 +218,10 @@ void PlacesView::paintName(QPainter& painter, int place) const {
 void PlacesView::paintPlace(QPainter& painter, int place) const {
     const double x_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
     if (m_now.objects && m_setup.visible) {
-        m_setup.hooked ? paintHook(painter, x_m, m_now.place == place) : paintPad(painter, x_m);
+        if (m_setup.lifted)
+            paintObject(painter, place);
+        else
+            m_setup.hooked ? paintHook(painter, x_m, m_now.place == place) : paintPad(painter, x_m);
         paintLetGo(painter, x_m);
     } else {
         const double rx = m_setup.padRadius_m * 1.25 * pixelsPerMetre(0.0);
@@ -177,18 +232,30 @@ void PlacesView::paintPlace(QPainter& painter, int place) const {
     paintName(painter, place);
 }
 
-void PlacesView::paintTool(QPainter& painter) const {
+const std::array<double, 3>& PlacesView::toolAt() const {
+    return m_tool.rendersForce ? m_tool.p_WT_m : m_tool.p_WProxy_m;
+}
+
+void PlacesView::paintToolShadow(QPainter& painter) const {
     if (!m_haveTool)
         return;
-    const auto& p = m_tool.rendersForce ? m_tool.p_WT_m : m_tool.p_WProxy_m;
-    const QPointF tip = project(p[0], p[1], p[2]);
-    const QPointF shadow = project(p[0], p[1], 0.0);
+    const auto& p = toolAt();
     const double scale = pixelsPerMetre(p[1]);
     painter.setPen(Qt::NoPen);
     QColor dark = m_theme.color(Colour::text);
     dark.setAlpha(60);
     painter.setBrush(dark);
-    painter.drawEllipse(shadow, 0.004 * scale, 0.004 * scale * kTilt);
+    painter.drawEllipse(project(p[0], p[1], 0.0), 0.004 * scale, 0.004 * scale * kTilt);
+}
+
+void PlacesView::paintTool(QPainter& painter) const {
+    if (!m_haveTool)
+        return;
+    const auto& p = toolAt();
+    const QPointF tip = project(p[0], p[1], p[2]);
+    const double scale = pixelsPerMetre(p[1]);
+    if (!m_setup.lifted)
+        paintToolShadow(painter);
     const QPointF back = tip + QPointF(0.42 * kShaft_m * scale, -kShaft_m * scale);
     painter.setPen(QPen(m_theme.color(Colour::text), 0.0042 * scale, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(tip, back);
@@ -200,8 +267,14 @@ void PlacesView::paintTool(QPainter& painter) const {
 }
 
 void PlacesView::paintForce(QPainter& painter) const {
-    // No force is felt, so a bar beside the scene shows it, with a mark at the limit and without a number.
-    const QRectF bar(width() - m_theme.px(34), m_theme.px(20), m_theme.px(14), height() - m_theme.px(40));
+    // No force is felt, so a bar beside the scene shows it, with its limit and without a number of its own.
+    painter.setFont(m_theme.font(TextStyle::label));
+    const int line = painter.fontMetrics().height();
+    const double right = width() - m_theme.px(8);
+    painter.setPen(m_theme.color(Colour::text));
+    painter.drawText(QRectF(0, m_theme.px(6), right, line), Qt::AlignRight | Qt::AlignVCenter, tr("Force"));
+    const double top = m_theme.px(12) + line;
+    const QRectF bar(width() - m_theme.px(34), top, m_theme.px(14), height() - top - m_theme.px(20));
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
     painter.setBrush(m_theme.color(Colour::surface));
     painter.drawRoundedRect(bar, m_theme.px(4), m_theme.px(4));
@@ -215,14 +288,23 @@ void PlacesView::paintForce(QPainter& painter) const {
     painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2)));
     painter.drawLine(QPointF(bar.left() - m_theme.px(5), limitY),
                      QPointF(bar.right() + m_theme.px(5), limitY));
+    painter.setPen(m_theme.color(Colour::text));
+    painter.drawText(QRectF(0, limitY - 0.5 * line, bar.left() - m_theme.px(9), line),
+                     Qt::AlignRight | Qt::AlignVCenter,
+                     tr("Limit: %1 N").arg(locale().toString(m_now.limit_N, 'g', 3)));
 }
 
 void PlacesView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     paintField(painter);
+    if (m_setup.lifted) // on the table, behind the objects that stand there
+        paintToolShadow(painter);
     for (int place = 0; place < m_setup.places; ++place)
-        paintPlace(painter, place);
+        if (!isCarried(place))
+            paintPlace(painter, place);
+    if (isCarried(m_now.place)) // in front of those that it is carried past
+        paintPlace(painter, m_now.place);
     paintTool(painter);
     if (m_now.feltNothing)
         paintForce(painter);

@@ -6,6 +6,7 @@
 
 #include <QPointF>
 #include <QWidget>
+#include <array>
 #include <cstdint>
 
 namespace chiron::desktop {
@@ -22,13 +23,14 @@ struct PlacesSetup {
     /// A line at each object, below which the tool lets go of it (simulation::letGoHeight_m); 0: none.
     double letGoHeight_m = 0.0;
     bool hooked = false; ///< the tool takes hold of it (a tube, an object) instead of pressing it (a pad)
+    bool lifted = false; ///< what is held leaves the table (an object), instead of being stretched (a tube)
     bool visible = true; ///< the objects are drawn; otherwise only their positions
     QStringList names;   ///< labels below the positions: "1" ...
 };
 
 /// The participant's view: positions that all look alike, the tool, and which objects were touched. Nothing
-/// drawn depends on a stimulus: objects do not deform, and the tool is drawn at the surface.
-/// Thread: GUI.
+/// drawn depends on a stimulus: objects do not deform, and the tool is drawn at the surface. An object that
+/// is lifted moves with the tool, whatever it weighs. Thread: GUI.
 class PlacesView final : public QWidget {
     Q_OBJECT
 public:
@@ -41,10 +43,13 @@ public:
         bool feltNothing = false;  ///< the device renders no force, so force is shown as a bar
         double force_N = 0.0;
         double limit_N = 4.0; ///< the largest force allowed, marked at the bar
+        double lift_m = 0.0;  ///< of the held object above the table; below 0 it stands on the table
     };
     void show(const haptics::DisplayState& state, const Now& now);
     /// Marks at the places ("1st" of a ranking); empty strings for none.
     void setMarks(const QStringList& marks);
+    /// Height (m) above the table at which the object of a place is drawn; 0: it stands there.
+    double drawnHeight_m(int place) const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -56,9 +61,15 @@ private:
     void paintPlace(QPainter& painter, int place) const;
     void paintPad(QPainter& painter, double x_m) const;
     void paintHook(QPainter& painter, double x_m, bool held) const;
+    void paintObject(QPainter& painter, int place) const;
+    bool isCarried(int place) const {
+        return m_setup.lifted && m_now.objects && place >= 0 && m_now.place == place;
+    }
     void paintLetGo(QPainter& painter, double x_m) const;
     QFont nameFont(double width_px) const;
     void paintName(QPainter& painter, int place) const;
+    const std::array<double, 3>& toolAt() const; ///< where the tool is drawn, W
+    void paintToolShadow(QPainter& painter) const;
     void paintTool(QPainter& painter) const;
     void paintForce(QPainter& painter) const;
 
@@ -66,6 +77,7 @@ private:
     PlacesSetup m_setup;
     haptics::ToolDisplay m_tool;
     bool m_haveTool = false;
+    std::array<double, 3> m_taken_m{}; ///< where the tool was when it took hold of the held object, W
     Now m_now;
     QStringList m_marks;
 };

@@ -4,6 +4,7 @@
 #include "desktop/sound/sound_loader.h"
 #include "desktop/studies/consent_dialog.h"
 #include "desktop/studies/enrol_dialog.h"
+#include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_progress.h"
 #include "desktop/studies/study_device.h"
 #include "desktop/studies/study_words.h"
@@ -13,6 +14,7 @@
 #include "session/study/study_store.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 
@@ -21,6 +23,8 @@ namespace chiron::desktop {
 RunScreen::RunScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
       m_participant(place.parameters.value(QStringLiteral("participant")).toString()) {
+    if (place.parameters.value(QStringLiteral("just_ran")).toBool())
+        m_finished = m_participant;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_panel = new StatePanel(context.theme());
@@ -143,27 +147,65 @@ QWidget* RunScreen::choiceBox() {
             m_participantChoice->addItem(
                 tr("%1 · %2").arg(code, participantStanding(*study(), row, context().locale())), code);
     }
-    if (m_participant.isEmpty())
-        m_participant = nextWaiting();
+    selectWhoIsNext();
     const int wanted = m_participantChoice->findData(m_participant);
     m_participantChoice->setCurrentIndex(std::max(0, wanted));
     m_participant = m_participantChoice->currentData().toString();
     m_participantChoice->setEnabled(m_participantChoice->count() > 0);
+    m_whoIsNext = kit::label(theme, {}, TextStyle::strong);
+    m_whoIsNext->setObjectName(QStringLiteral("run.who_is_next"));
+    box.layout->addWidget(m_whoIsNext);
     connect(m_studyChoice, &QComboBox::activated, this, [this] {
         m_study = m_studyChoice->currentData().toLongLong();
         m_participant.clear();
+        m_finished.clear();
         QMetaObject::invokeMethod(this, &RunScreen::build, Qt::QueuedConnection);
     });
     connect(m_participantChoice, &QComboBox::activated, this, [this] {
         m_participant = m_participantChoice->currentData().toString();
+        m_finished.clear();
         showParticipant();
     });
     return box.frame;
 }
 
+/// Whoever has something left to do stays selected.
+void RunScreen::selectWhoIsNext() {
+    const ParticipantRow* row = participant();
+    if (m_participant.isEmpty()) {
+        m_participant = nextWaiting();
+    } else if (!m_finished.isEmpty() && row && isWaiting(*study(), *row)) {
+        m_finished.clear();
+    } else if (!m_finished.isEmpty()) {
+        if (const QString next = nextWaiting(m_participant); !next.isEmpty())
+            m_participant = next;
+    }
+}
+
+QString RunScreen::whoIsNext() const {
+    const ParticipantRow* row = participant();
+    if (!row)
+        return {};
+    const auto after = [this](const QString& words) {
+        return m_finished.isEmpty()
+                   ? words
+                   : tr("%1 has nothing left to do.").arg(m_finished) + QLatin1Char(' ') + words;
+    };
+    if (isWaiting(*study(), *row))
+        return after(tr("%1 comes next and is selected.").arg(m_participant));
+    const QString next = nextWaiting(m_participant);
+    if (!next.isEmpty())
+        return tr("%1 has nothing left to do. %2 comes next.").arg(m_participant, next);
+    return study()->summary.state == database::StudyState::frozen
+               ? tr("Nobody who is enrolled has anything left to do. Enrol the next participant.")
+               : tr("Nobody who is enrolled has anything left to do.");
+}
+
 void RunScreen::showParticipant() {
     context().navigator().note(
         {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}});
+    m_whoIsNext->setText(whoIsNext());
+    m_whoIsNext->setVisible(!m_whoIsNext->text().isEmpty());
     delete m_shown;
     m_shown = new QWidget;
     auto* column = new QVBoxLayout(m_shown);
@@ -254,6 +296,13 @@ QWidget* RunScreen::participantBox() {
         if (each.when == When::enrolment && !isAnswered(*row, {each}))
             ask({each});
     questionnaires(When::before);
+    if (const QString sequence = sequenceWords(open.design, context().locale());
+        offered && !sequence.isEmpty()) {
+        auto* words =
+            kit::label(theme, tr("Sequence in each condition: %1.").arg(sequence), TextStyle::small, "muted");
+        words->setObjectName(QStringLiteral("run.sequence"));
+        box.layout->addWidget(words);
+    }
     int position = 0;
     for (const ConditionProgress& progress : conditions) {
         box.layout->addWidget(conditionRow(*row, position, progress, offered && &progress == &*toDo));
@@ -279,11 +328,25 @@ QWidget* RunScreen::participantBox() {
 }
 
 void RunScreen::addOthers(QVBoxLayout& layout, bool first) {
-    const QString waiting = first ? nextWaiting(m_participant) : QString();
+    const ParticipantRow* row = participant();
+    const bool brokeOff = !first && row && !row->left.empty();
+    if (brokeOff) {
+        auto* words =
+            kit::label(context().theme(),
+                       tr("If %1 does not come back, go on with somebody else. The trials that were "
+                          "done are kept, and count if they suffice for a value. The run can be "
+                          "resumed later. To take %1 out of the study, withdraw them on the "
+                          "study's page of participants.")
+                           .arg(m_participant),
+                       TextStyle::small, "muted");
+        words->setObjectName(QStringLiteral("run.broke_off"));
+        layout.addWidget(words);
+    }
+    const QString waiting = first || brokeOff ? nextWaiting(m_participant) : QString();
     if (!waiting.isEmpty()) {
-        auto* go = kit::button(context().theme(), tr("Go on with %1").arg(waiting), "primary",
+        auto* go = kit::button(context().theme(), tr("Go on with %1").arg(waiting), first ? "primary" : "",
                                QStringLiteral("go-next"));
-        go->setObjectName(QStringLiteral("run.next"));
+        go->setObjectName(first ? QStringLiteral("run.next") : QStringLiteral("run.instead"));
         // Queued, because the button goes with the participant who is shown.
         connect(
             go, &QPushButton::clicked, this, [this, waiting] { goOnWith(waiting); }, Qt::QueuedConnection);
@@ -293,6 +356,7 @@ void RunScreen::addOthers(QVBoxLayout& layout, bool first) {
 }
 
 void RunScreen::goOnWith(const QString& participant) {
+    m_finished.clear();
     m_participant = participant;
     m_participantChoice->setCurrentIndex(m_participantChoice->findData(participant));
     m_participantChoice->setFocus(Qt::OtherFocusReason);

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -20,8 +21,9 @@ class StatePanel;
 class Theme;
 
 /// Chooses who takes part next, and in which condition: studies that can be run, participants by code, their
-/// conditions in order (by sealed code if the experimenter is blind) and their questionnaires. The place is
-/// {study, participant}.
+/// conditions in order (by sealed code if the experimenter is blind) and their questionnaires. It says who
+/// comes next. The place is {study, participant, just_ran}; just_ran: the participant comes from a run or a
+/// questionnaire, and if nothing is left for them to do, the next one is selected.
 /// Thread: GUI.
 class RunScreen final : public Screen {
     Q_OBJECT
@@ -45,6 +47,9 @@ private:
     /// The code of somebody who is waiting, besides `except`: who was interrupted last, else the first in the
     /// list, and people with only questions left after all others. Empty if there is nobody.
     QString nextWaiting(const QString& except = {}) const;
+    void selectWhoIsNext();
+    /// Who comes next, in a sentence.
+    QString whoIsNext() const;
     QWidget* participantBox();
     /// Going on with somebody who is waiting, and enrolling somebody. `first`: nothing else is left to do for
     /// the participant who is shown.
@@ -76,12 +81,14 @@ private:
     StatePanel* m_panel = nullptr;
     QComboBox* m_studyChoice = nullptr;
     QComboBox* m_participantChoice = nullptr;
+    QLabel* m_whoIsNext = nullptr;
     QVBoxLayout* m_holder = nullptr;
     QWidget* m_shown = nullptr;
     std::vector<OpenStudy> m_studies;
     std::optional<bool> m_heard; ///< whether this computer has sound output; no value: not yet tested
     database::StudyNumber m_study;
     QString m_participant;
+    QString m_finished; ///< whoever has just done everything; empty if somebody else was selected since
 };
 
 } // namespace chiron::desktop

@@ -6,6 +6,7 @@
 #include "desktop/frame/help_dialogs.h"
 #include "desktop/station/device_delay.h"
 #include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
@@ -57,10 +58,14 @@ QString TrialsScreen::title() const {
     return tr("Study");
 }
 
+/// Before the session starts, the station's device tells.
+bool TrialsScreen::rendersForce() const {
+    return m_live ? m_live->training().felt() : studyDeviceRendersForce();
+}
+
 /// Participants read this as well, so it reveals no more than their own page.
 QString TrialsScreen::help() const {
-    const QString keys = tr("Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc "
-                            "again asks whether to stop the session.");
+    const QString keys = felt_words::stopKeys(rendersForce());
     return paragraphs(
         {tr("Here a participant explores objects and answers."),
          tr("Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the "
@@ -74,13 +79,16 @@ QString TrialsScreen::help() const {
 
 /// What becomes of a run that is stopped: the same words in the help, in the question and afterwards.
 QString TrialsScreen::afterStopText() const {
-    return isPilot() ? tr("What was tried in a pilot run does not count as data of the study, and a stopped "
-                          "pilot run is not continued.")
-                     : tr("All answered trials are kept. The run continues later at the same trial.");
+    return isPilot()
+               ? tr("What was tried in a pilot run does not count as data of the study, and a stopped "
+                    "pilot run is not continued.")
+               : tr("All answers given so far are kept. The run is not finished: it can be resumed later at "
+                    "the same trial, also on another day. If it is not resumed, the answers count in "
+                    "the results as far as they suffice for a value.");
 }
 
 void TrialsScreen::enter() {
-    m_note->setText(tr("Participant %1").arg(m_participant));
+    m_note->setText(tr("Participant %1").arg(participantCode()));
     m_panel->showLoading(tr("Reading the study …"));
     begin();
 }
@@ -198,7 +206,7 @@ void TrialsScreen::showPageToRead() {
 /// Shows the controls of the present device for the coming task.
 void TrialsScreen::showCard() {
     const psychophysics::Condition& condition = m_live->condition();
-    const StudyHand hand{m_live->training().pointer() != nullptr, m_live->training().felt()};
+    const StudyHand hand = this->hand();
     ReadyFacts facts;
     facts.exercise = tr("Participant %1").arg(m_participant);
     facts.level = tr("This is how you explore and answer");
@@ -318,7 +326,7 @@ bool TrialsScreen::goOnByKey() {
         return true;
     if (m_card)
         go();
-    else
+    else if (!m_break->readOn()) // to the end first, where the button is
         onBreakButton();
     return true;
 }
@@ -383,9 +391,10 @@ void TrialsScreen::askToStop() {
                     m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
     box.setObjectName(QStringLiteral("trials.ask"));
     box.setInformativeText(afterStopText());
-    QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
+    QPushButton* keep = box.addButton(tr("Go on with the trials"), QMessageBox::RejectRole);
     keep->setObjectName(QStringLiteral("trials.ask.keep"));
-    QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::DestructiveRole);
+    QPushButton* stop = box.addButton(isPilot() ? tr("Stop the pilot run") : tr("Stop, and keep the answers"),
+                                      QMessageBox::DestructiveRole);
     stop->setObjectName(QStringLiteral("trials.ask.stop"));
     box.setDefaultButton(keep);
     box.setEscapeButton(keep);
@@ -475,8 +484,8 @@ QString TrialsScreen::refusalWords(const session::SittingError& error, const QLo
 std::vector<ScreenCommand> TrialsScreen::commands() {
     return {{tr("Experimenter"), QKeySequence(Qt::Key_F2), [this] { toggleExperimenter(); }, !running()},
             {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
-            {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
-            {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
+            {felt_words::stop(rendersForce()), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
+            {felt_words::goOn(rendersForce()), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
             {tr("Stop the session"), {}, [this] { askToStop(); }, true}};
 }
 

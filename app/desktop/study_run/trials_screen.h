@@ -63,9 +63,9 @@ public:
     static QString refusalWords(const session::SittingError& error, const QLocale& locale);
 
     /// The participant's explanation why a trial does not count. It does not reveal whether the answer was
-    /// right. `pulls`: objects are held and pulled.
-    static QString repeatedWords(const std::string& reason, bool pulls, double probe_N,
-                                 const QLocale& locale);
+    /// right.
+    static QString repeatedWords(const std::string& reason, session::LiveStudyView::Missed missed,
+                                 Handling handling, double probe_N, const QLocale& locale);
 
 private:
     // trials_screen_build.cpp
@@ -80,8 +80,9 @@ private:
     void buildKeys();
     void toolKey(int key, bool down);
     void connectPointer();
-    QWidget& area();   ///< area of the scene
-    QObject& source(); ///< source of the scene's mouse and key events
+    bool isLarge() const; ///< texts are so large that the scene needs the room of all that is empty
+    QWidget& area();      ///< area of the scene
+    QObject& source();    ///< source of the scene's mouse and key events
 
     // trials_screen_show.cpp
     void showState(const session::LiveStudyView& view);
@@ -91,6 +92,11 @@ private:
     QString exploringWords(const session::LiveStudyView& view) const;
     QString apexWords(const session::LiveStudyView& view) const;
     QString holdWords(const session::LiveStudyView& view) const;
+    QString tryingWords(const session::LiveStudyView& view) const;
+    QString hardnessHow() const;
+    QString meetWords(const session::LiveStudyView& view) const;
+    QString pointerWords(const session::LiveStudyView& view) const;
+    QString missingWords(const session::LiveStudyView& view) const;
     /// What to do if the hand uses, or in this trial has used, nearly the largest force allowed; otherwise
     /// empty.
     QString gentlerText(const session::LiveStudyView& view) const;
@@ -98,6 +104,8 @@ private:
     QString afterStopText() const;
     QString endText(const core::Result<session::LiveStudyResult>& result) const;
     QString triedText() const;
+    QString countingText() const;
+    QString needsText(const session::LiveStudyView& view) const;
     void cameByItself();
     /// Whether a key may still be meant for what the page showed before it changed.
     bool keysAreEarly() const;
@@ -107,6 +115,7 @@ private:
     QString trialText(const session::LiveStudyView& view) const;
     QString repeatedText(const session::LiveStudyView& view) const;
     QString comesAgainText() const;
+    QString takeBackText(const session::LiveStudyView& view) const;
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
@@ -146,7 +155,10 @@ private:
     /// Enter or Space on a page where continuing is the only action. Returns false if the key has another
     /// meaning.
     bool goOnByKey();
-    bool pulls() const; ///< objects are held and pulled
+    Handling handling() const;
+    StudyHand hand() const;
+    bool rendersForce() const;
+    QString participantCode() const;
     LetGo letGo() const;
     bool isPage() const; ///< a page to read, not a trial
     void answer(int answer, std::optional<double> value);
@@ -212,6 +224,7 @@ private:
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     /// Time since what Enter and Space do on the page has changed, by itself or by a key press.
     QElapsedTimer m_changed;
+    bool m_hasLetGo = false;    ///< of an object, in the free minute
     bool m_pausedByKey = false; ///< the participant has just paused: the page that comes is no surprise
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;

@@ -4,21 +4,23 @@
 
 #include "catalogue/exercise.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/studies/study_device.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/large_texts.h"
 #include "desktop/study_run/participant_page.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"
+#include "desktop/training/felt_words.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
-#include "session/study/participant_view.h"
 #include "simulation/comparison/comparison_parameters.h"
 
 #include <QApplication>
@@ -32,6 +34,10 @@ namespace chiron::desktop {
 namespace {
 constexpr double kDesk_px = 720;
 } // namespace
+
+bool TrialsScreen::isLarge() const {
+    return areTextsLarge(context().theme());
+}
 
 TrialsScreen::TrialsScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_participant(place.parameters.value(QStringLiteral("participant")).toString()),
@@ -139,6 +145,7 @@ QWidget* TrialsScreen::buildHead() {
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
     m_progress->setMinimumWidth(theme.px(40)); // it shrinks before a button's text does
+    m_progress->hide();                        // there is no progress before the trials
     row->addWidget(m_progress, 2);
     m_call = kit::button(theme, tr("Experimenter …"), "quiet", QStringLiteral("system-lock-screen"));
     m_call->setObjectName(QStringLiteral("trials.experimenter"));
@@ -146,8 +153,7 @@ QWidget* TrialsScreen::buildHead() {
     connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
     row->addWidget(m_call);
     m_stop = kit::button(theme, tr("Stop … (Esc twice)"), "", QStringLiteral("media-playback-stop"));
-    m_stop->setToolTip(tr(
-        "Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer."));
+    m_stop->setToolTip(felt_words::stopHint(studyDeviceRendersForce()));
     m_stop->setObjectName(QStringLiteral("trials.stop"));
     connect(m_stop, &QPushButton::clicked, this, &TrialsScreen::askToStop);
     row->addWidget(m_stop);
@@ -169,7 +175,8 @@ QWidget* TrialsScreen::buildStage() {
     m_repeated = kit::label(theme, {}, TextStyle::body, "warning");
     m_repeated->setObjectName(QStringLiteral("trials.repeated"));
     // The label reserves its height while it is empty, so that nothing moves.
-    m_repeated->setMinimumHeight(m_repeated->fontMetrics().height());
+    if (!isLarge())
+        m_repeated->setMinimumHeight(m_repeated->fontMetrics().height());
     column->addWidget(m_repeated);
     m_stage->addWidget(m_trial);
     return m_stage;
@@ -183,9 +190,9 @@ QWidget* TrialsScreen::buildStrip() {
     auto* row = new QHBoxLayout(strip);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(8));
-    const auto keepRoom = [](QWidget* part) {
+    const auto keepRoom = [large = isLarge()](QWidget* part) {
         QSizePolicy policy = part->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
+        policy.setRetainSizeWhenHidden(!large);
         part->setSizePolicy(policy);
         part->hide();
     };
@@ -195,7 +202,8 @@ QWidget* TrialsScreen::buildStrip() {
     m_time = new QProgressBar;
     m_time->setAccessibleName(tr("Time to explore"));
     m_time->setToolTip(tr("Time to explore"));
-    m_time->setTextVisible(false);
+    m_time->setAlignment(Qt::AlignCenter);
+    m_time->setFont(theme.font(TextStyle::label));
     m_time->setFixedHeight(theme.px(20));
     keepRoom(m_time);
     row->addWidget(m_time, 1);
@@ -236,15 +244,22 @@ QObject& TrialsScreen::source() {
     return m_apex ? m_apex->source() : *m_places;
 }
 
-bool TrialsScreen::pulls() const {
-    return session::isTakenHold(m_live->condition().stimulus.attribute);
+Handling TrialsScreen::handling() const {
+    return handlingOf(m_live->condition().stimulus.attribute);
+}
+
+StudyHand TrialsScreen::hand() const {
+    return {m_live->training().pointer() != nullptr, m_live->training().felt()};
 }
 
 LetGo TrialsScreen::letGo() const {
     LetGo where;
     where.drawn = m_live->design().trial.visibleObjects;
-    if (const auto* parameters = m_live->level().parameters.find<simulation::ComparisonParameters>())
+    if (const auto* parameters = m_live->level().parameters.find<simulation::ComparisonParameters>()) {
         where.below_m = parameters->hookLeave_m;
+        where.press_m = simulation::ComparedObject::kPress_N /
+                        std::max(1.0, parameters->object.stiffness_N_per_m); // as LiveStudy notices it
+    }
     return where;
 }
 
@@ -262,6 +277,7 @@ void TrialsScreen::buildPlaces() {
         setup.gripRadius_m = grip.radius_m;
         setup.letGoHeight_m = simulation::letGoHeight_m(*parameters);
         setup.hooked = simulation::isHooked(parameters->attribute);
+        setup.lifted = handling() == Handling::lift;
     }
     setup.names = AnswerPanel::placeNames(setup.places);
     m_places = new PlacesView(theme, setup);
@@ -288,7 +304,7 @@ void TrialsScreen::buildKeys() {
     m_keys->setEarly([this] { return keysAreEarly(); });
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
-        if (m_card && isPage() && m_card->readOn())
+        if (isPage() && (m_card ? m_card->readOn() : m_break->readOn()))
             return; // Space reads to the end first
         if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isPage())
             button->click(); // Space presses the focused button, like Enter
@@ -324,8 +340,7 @@ void TrialsScreen::toolKey(int key, bool down) {
     if (m_card) { // the first movement starts, once there is no more to read
         if (!down || m_card->scroll(key) || !m_card->isRead())
             return;
-        const std::vector<int> movements =
-            studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
+        const std::vector<int> movements = studyMovementKeys(hand());
         if (std::find(movements.begin(), movements.end(), key) != movements.end())
             go();
         return;

@@ -217,9 +217,10 @@ void TrialsScreen::leave() {
              {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
         return;
     }
-    context().navigator().replace(
-        {QStringLiteral("study_run"),
-         {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
+    context().navigator().replace({QStringLiteral("study_run"),
+                                   {{QStringLiteral("study"), qlonglong(m_study)},
+                                    {QStringLiteral("participant"), m_participant},
+                                    {QStringLiteral("just_ran"), true}}});
 }
 
 bool TrialsScreen::mayLeave() {

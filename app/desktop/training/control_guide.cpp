@@ -33,7 +33,8 @@ std::vector<ControlHint> withHandle(PointerTool tool) {
     }
     return {move,
             {Pictogram::pressStylus, Words::tr("Lower"),
-             Words::tr("Lower the handle until the tip touches. To raise the tip, raise the handle.")},
+             Words::tr("Lower the handle until the tip makes contact. To raise the tip, raise the "
+                       "handle.")},
             {Pictogram::stylusButton, Words::tr("Mark"),
              Words::tr("Press the button of the handle, or Enter, while you touch the place.")}};
 }

@@ -16,5 +16,14 @@ QString device(const QString& name, bool felt);
 QString noMeasurements(bool felt);
 /// How the participant of a study perceives the objects.
 QString objects(bool felt);
+/// What Space, Esc and R do in a study. Where no force is rendered, Esc stops none.
+QString stopKeys(bool felt);
+/// What Esc does in a study, for the button that stops the session.
+QString stopHint(bool felt);
+/// Title of the page that a stop brings, and name of the command.
+QString stopped(bool felt);
+QString stop(bool felt);
+/// Name of the command that goes on after a stop.
+QString goOn(bool felt);
 
 } // namespace chiron::desktop::felt_words

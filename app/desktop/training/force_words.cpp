@@ -117,7 +117,8 @@ ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked,
     switch (state.force) {
     case ForceState::ramping:
         return {"info", Words::tr("Force is rising"),
-                Words::tr("It rises slowly (now %1 %); the clock starts at full strength.")
+                Words::tr("It rises slowly (now %1 %). The clock starts once it has reached full "
+                          "strength.")
                     .arg(locale.toString(qRound(state.gain * 10.0) * 10))};
     case ForceState::on:
         return {"good", Words::tr("Force is on"), Words::tr("Esc stops it at once.")};

@@ -31,14 +31,18 @@ public:
     void readOn(bool down);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     int needed_px() const; ///< the height of the whole column
 
+    void keepHeight();
+
     QScrollArea* m_page;
     QVBoxLayout* m_column = nullptr;
     InfoView* m_info = nullptr;
+    int m_below_px = 0; ///< kept for the hint below the page
     bool m_fitting = false;
 };
 

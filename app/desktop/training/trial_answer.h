@@ -37,19 +37,15 @@ public:
     virtual void show(scene3d::SceneState& drawn) const = 0;
 };
 
-/// The answer is one mark at a single object. It is only said that the mark was taken.
+/// The answer is a mark, of which it is only said that it was taken. Nothing is drawn.
 class MarkAnswer : public TrialAnswer {
 public:
     void follow(const haptics::DisplayState&) override {}
     QString markWords(const session::TrialObject& truth, const session::LiveSample& at,
                       const QLocale& locale) const override;
     QString endWords(const session::TrialObject&, const QLocale&) const override { return {}; }
-    bool keep(const session::TrialObject& truth, const std::optional<core::Vec3>& p_WMark) override;
-    void show(scene3d::SceneState& drawn) const override;
-
-private:
-    session::TrialObject m_truth;
-    std::optional<core::Vec3> m_p_WMark;
+    bool keep(const session::TrialObject&, const std::optional<core::Vec3>&) override { return false; }
+    void show(scene3d::SceneState&) const override {}
 };
 
 /// "Marked": said of a mark of which nothing else may be said.

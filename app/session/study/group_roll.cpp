@@ -136,6 +136,7 @@ GroupRoll groupRoll(const std::vector<database::Participant>& participants,
                 continue;
             person.presence = run.presence;
             person.remedy = run.remedy;
+            person.answers = run.estimate.trials;
             person.guesses = hasWarning(run.estimate.warnings, WarningKind::chance);
             person.openBelow = run.presence == Presence::unbounded &&
                                !hasWarning(run.estimate.warnings, WarningKind::priorEdgeHigh);

@@ -59,6 +59,7 @@ struct RolledPerson {
     Remedy remedy = Remedy::none;           ///< of the run that gives `presence`
     bool guesses = false;                   ///< its answers are no better than guessing
     bool openBelow = false;                 ///< unbounded: only a threshold far below is not ruled out
+    int answers = 0;                        ///< on which its estimate rests
 };
 
 /// Everybody who could be included in a condition's group value.

@@ -59,7 +59,26 @@ struct LiveStudyView {
         stopped,  ///< force was stopped, by a person or by the supervisor; until rearm()
         finished, ///< the run is done or stopped; see result()
     };
+    /// Where an object is on its way from the table and back (Attribute::mass): the steps follow each other,
+    /// and after the last one the tool lets go of it. They follow from the hand's motion alone, and tell
+    /// nothing of how heavy the object is.
+    enum class Lift {
+        none,   ///< the tool holds no object
+        held,   ///< it stands on the table, and was not lifted enough to be put down
+        raised, ///< in the air
+        stands, ///< it stands on the table again, and is still held
+        pressed ///< pressed onto the table: the tool lets go as soon as it is raised
+    };
+    /// Why an object did not count as touched when the time to explore was over.
+    enum class Missed {
+        none,     ///< not known, or every object counted
+        never,    ///< the tool never met one of the objects
+        tooLight, ///< it met every object; one of them with less than probe_N, or without lifting it
+        held      ///< it still held an object that counted, so that it could not reach the others
+    };
     State state = State::starting;
+    Lift lift = Lift::none;
+    double lift_m = 0.0; ///< of the held object above the table; negative: pressed onto it
     psychophysics::Task task = psychophysics::Task::rank3;
     int places = 3;
     bool practice = false;     ///< the present trial, or between two trials the next one, does not count
@@ -78,17 +97,20 @@ struct LiveStudyView {
     /// until the trial ends, so that it tells nothing about the object that is touched now
     /// (FidelityMeter::cameNearForceLimit). In the free minute only while it does.
     bool nearForceLimit = false;
-    /// The previous trial did not count because its objects were gone before all were touched; it is
-    /// repeated.
-    bool again = false;
+    /// The reason why the previous trial ended without an answer ("untouched", "time", "experimenter"), in
+    /// practice as well; empty: it had one.
+    std::string unanswered;
+    Missed missed = Missed::none; ///< what was wrong with an "untouched" one
     /// The reason why the previous trial, which was no practice trial, did not count; shown during the next
     /// one. It reveals nothing about the correctness of an answer.
     std::string repeated;
     /// The reason in the hand's motion why the previous trial did not count: "peak_force" or "speed"; else
     /// empty.
     std::string hand;
-    bool mayTakeBack = false;  ///< an answer in practice can be taken back; nothing goes on by itself
-    double tryLeft_s = 0.0;    ///< remaining time of the free minute
+    bool mayTakeBack = false; ///< an answer in practice can be taken back; nothing goes on by itself
+    int practiceAnswer = -1;  ///< the answer that can be taken back; -1: none, or a mark
+    std::optional<double> practiceValue; ///< the stated number that can be taken back (magnitude)
+    double tryLeft_s = 0.0;              ///< remaining time of the free minute
     bool canAnswer = false;    ///< an answer is accepted now (every place was touched, if that is required)
     double timeLeft_s = 0.0;   ///< remaining time to explore; 0: no limit
     double breakLeft_s = 0.0;  ///< remaining time of the shortest break

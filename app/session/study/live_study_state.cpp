@@ -5,6 +5,8 @@
 
 #include "core/presentation_word.h"
 #include "core/units.h"
+#include "session/study/participant_view.h"
+#include "simulation/comparison/compared_object.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,9 @@ using core::TrialPhase;
 namespace {
 constexpr double kFeedback_s = 1.2;
 constexpr double kStopPatience_s = 2.0;
+constexpr double kJustHeld_s =
+    0.1; // before the time was up: an object that was let go then was held too long
+constexpr double kStands_m = 0.0005; // an object that is lifted less looks as if it stood on the table
 
 /// The reason why a trial does not count, if the participant can avoid it; the other reasons concern the
 /// device or the experimenter.
@@ -54,9 +59,10 @@ void LiveStudy::State::take(const FidelitySample& sample) {
         clock.begin(sample.tick);
         grazed = 0;
         letGo = -1;
-        view.again = false;
+        view.lift = LiveStudyView::Lift::none;
         view.hand.clear();
     }
+    noticeLift(sample);
     clock.take(sample, sample.place != 0);
     if (sample.place != 0 && sample.phase == TrialPhase::running)
         grazed |= 1u << (sample.place - 1u);
@@ -67,6 +73,29 @@ void LiveStudy::State::take(const FidelitySample& sample) {
         tried_s += clock.exploration_s();
         tryPresented = false;
     }
+}
+
+/// Follows simulation::ComparedObject, which lets go of an object that was lifted, then pressed onto its bed,
+/// and is then raised.
+void LiveStudy::State::noticeLift(const FidelitySample& sample) {
+    using Lift = LiveStudyView::Lift;
+    using simulation::ComparedObject;
+    const auto& scene = level.parameters.as<simulation::ComparisonParameters>();
+    if (scene.attribute != simulation::ComparedAttribute::mass || sample.place == 0) {
+        view.lift = Lift::none;
+        view.lift_m = 0.0;
+        return;
+    }
+    const double lift_m = view.lift_m = sample.displacement_m;
+    const bool wasLifted = view.lift != Lift::none && view.lift != Lift::held;
+    if (lift_m > ComparedObject::kLifted_m)
+        view.lift = Lift::raised;
+    else if (!wasLifted)
+        view.lift = Lift::held;
+    else if (-lift_m * std::max(1.0, scene.object.stiffness_N_per_m) > ComparedObject::kPress_N)
+        view.lift = Lift::pressed;
+    else if (view.lift == Lift::raised && lift_m <= kStands_m)
+        view.lift = Lift::stands;
 }
 
 StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
@@ -129,7 +158,9 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     numbers.practice += trial.practice ? 1 : 0;
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
-    view.again = trial.spoiled == "untouched";
+    const bool own = trial.spoiled != "taken_back" && trial.spoiled != database::kInterrupted;
+    view.unanswered = trial.answer < 0 && own ? trial.spoiled : std::string();
+    view.missed = trial.spoiled == "untouched" ? missed : LiveStudyView::Missed::none;
     view.repeated = database::isRepeated(trial) ? trial.spoiled : std::string();
     // Practice trials were explained by their feedback, and are not repeated.
     view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled);
@@ -154,6 +185,21 @@ bool LiveStudy::State::timeIsUp() const {
     return limit_s > 0.0 && clock.exploration_s() >= limit_s;
 }
 
+/// What keeps the objects that are left from counting as touched.
+LiveStudyView::Missed LiveStudy::State::whatIsMissed() const {
+    using Missed = LiveStudyView::Missed;
+    const auto missing = ((1u << static_cast<unsigned>(view.places)) - 1u) & ~last.touched;
+    if (missing == 0)
+        return Missed::none;
+    // The objects go when the time is up, and what is held with them, before this is asked.
+    const int place = last.place != 0 ? static_cast<int>(last.place) - 1 : letGo;
+    const double heldUntil_s = clock.exploration_s() - clock.sinceContact_s();
+    if (isTakenHold(condition->stimulus.attribute) && place >= 0 &&
+        heldUntil_s >= study.design.trial.exploreLimit_s - kJustHeld_s && ((last.touched >> place) & 1u) != 0)
+        return Missed::held;
+    return (missing & ~grazed) == 0 ? Missed::tooLight : Missed::never;
+}
+
 /// The objects are gone before every one was touched: no answer is possible, so the trial ends here and is
 /// repeated.
 void LiveStudy::State::spoilUntouched() {
@@ -161,6 +207,7 @@ void LiveStudy::State::spoilUntouched() {
         control.paused() || !timeIsUp() || allTouched())
         return;
     spoiled = "untouched";
+    missed = whatIsMissed();
     posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
 }
 
@@ -234,6 +281,7 @@ void LiveStudy::State::present() {
     answered = -1;
     value.reset();
     spoiled.clear();
+    missed = LiveStudyView::Missed::none;
     presented = training->post(CommandKind::present, core::encode({shown.candidate, shown.arrangement}));
 }
 
@@ -265,6 +313,8 @@ void LiveStudy::State::describe() {
     view.tryLeft_s = tryLeft_s();
     view.practice = view.tryLeft_s <= 0.0 && (presented || pending ? shown.practice : progress.practising());
     view.mayTakeBack = pending.has_value() && !done;
+    view.practiceAnswer = view.mayTakeBack ? pending->answer : -1;
+    view.practiceValue = view.mayTakeBack ? pending->value : std::nullopt;
     view.trial = progress.scored();
     view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
     view.place = static_cast<int>(last.place) - 1;

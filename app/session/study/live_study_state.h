@@ -58,6 +58,8 @@ struct LiveStudy::State {
     bool tryPresented = false;
     bool readySaid = false, waitsForReady = false;         ///< at the end of the free minute
     bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
+    LiveStudyView::Missed missed =
+        LiveStudyView::Missed::none; ///< of the trial that was spoiled as untouched
     int answered = -1;
     std::optional<double> value;
     std::string spoiled;
@@ -84,6 +86,7 @@ struct LiveStudy::State {
     void lookAtForce();
     void drain();
     void take(const FidelitySample& sample);
+    void noticeLift(const FidelitySample& sample);
     void endTrial(const FidelitySample& sample);
     void store(const StudyAnswer& answer);
     void storePending();
@@ -100,6 +103,7 @@ struct LiveStudy::State {
     void present();
     void spoilUntouched();
     bool timeIsUp() const;
+    LiveStudyView::Missed whatIsMissed() const;
     void finish();
     void conclude();
     void describe();

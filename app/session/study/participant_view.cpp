@@ -21,9 +21,10 @@ PartView partView(const psychophysics::Condition& condition, const psychophysics
     part.practice = rules.practiceTrials;
     part.trialsAtMost = trialsAtMost(condition);
     part.trialsFixed = trialsAreFixed(condition);
+    part.trial_s = psychophysics::secondsOfTrial(condition, rules);
     if (part.trialsAtMost > 0) {
         part.breaksAtMost = rules.breakEvery > 0 ? (part.trialsAtMost - 1) / rules.breakEvery : 0;
-        part.minutesAtMost = psychophysics::minutesOf(condition, rules, part.trialsAtMost);
+        part.minutes = psychophysics::minutesOf(condition, rules, part.trialsAtMost);
     }
     part.breaks = part.breaksAtMost > 0 || (part.trialsAtMost == 0 && rules.breakEvery > 0);
     part.rightOrWrong = psychophysics::correctAnswer(condition.task, 0) >= 0;
@@ -39,12 +40,12 @@ int questions(const psychophysics::StudyDesign& design, psychophysics::Questionn
 
 } // namespace
 
-double ParticipantView::minutesAtMost() const {
+double ParticipantView::minutes() const {
     double minutes = 0.0;
     for (const PartView& part : parts) {
         if (part.trialsAtMost == 0)
             return 0.0;
-        minutes += part.minutesAtMost;
+        minutes += part.minutes;
     }
     return minutes;
 }

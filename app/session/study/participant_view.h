@@ -13,14 +13,17 @@ struct PartView {
     std::string condition; ///< id
     psychophysics::Task task = psychophysics::Task::rank3;
     psychophysics::Attribute attribute = psychophysics::Attribute::stiffness;
-    int objects = 0;            ///< number of objects to explore in a trial
-    int practice = 0;           ///< trials that do not count
-    int trialsAtMost = 0;       ///< trials that count; 0: their number depends on the answers
-    bool trialsFixed = false;   ///< the number of trials is fixed
-    int breaksAtMost = 0;       ///< 0 also if the number of trials is not known
-    bool breaks = false;        ///< there are, or may be, breaks
-    double minutesAtMost = 0.0; ///< 0 if the number of trials is not known
-    bool rightOrWrong = false;  ///< an answer in this task is right or wrong
+    int objects = 0;          ///< number of objects to explore in a trial
+    int practice = 0;         ///< trials that do not count
+    int trialsAtMost = 0;     ///< trials that count; 0: their number depends on the answers
+    bool trialsFixed = false; ///< the number of trials is fixed
+    int breaksAtMost = 0;     ///< 0 also if the number of trials is not known
+    bool breaks = false;      ///< there are, or may be, breaks
+    /// Expected for trialsAtMost trials, each of trial_s, with practice and breaks; 0 if the number of trials
+    /// is not known. A person who explores longer takes longer, so it is no maximum.
+    double minutes = 0.0;
+    double trial_s = 0.0;      ///< expected for one trial (psychophysics::secondsOfTrial)
+    bool rightOrWrong = false; ///< an answer in this task is right or wrong
     bool apex() const { return attribute == psychophysics::Attribute::apex; }
 };
 
@@ -42,7 +45,7 @@ struct ParticipantView {
     int questionsAfter = 0;
     int questionsAfterEach = 0; ///< questions after each part
 
-    double minutesAtMost() const; ///< of all parts, without questions; 0 if not known
+    double minutes() const; ///< expected of all parts, without questions; 0 if not known
     bool anyBreak() const;
 };
 /// Whether objects with this attribute are held by a ring, which is pulled or lifted and then let go.

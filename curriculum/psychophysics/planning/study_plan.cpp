@@ -124,13 +124,17 @@ double criticalT(double alpha, int freedom) {
 
 } // namespace
 
-double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
+double secondsOfTrial(const Condition& condition, const TrialRules& rules) {
     double exploring = condition.stimulus.attribute == Attribute::apex
                            ? kSecondsAnApex
                            : kSecondsAnObject * placesOf(condition.task);
     if (rules.exploreLimit_s > 0.0)
         exploring = std::min(exploring, rules.exploreLimit_s);
-    const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;
+    return exploring + kSecondsAnAnswer + rules.betweenTrials_s;
+}
+
+double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
+    const double one = secondsOfTrial(condition, rules);
     const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) *
                                                      rules.breakAtLeast_s
                                                : 0.0;

@@ -55,8 +55,12 @@ struct ConditionPlan {
     std::vector<Warning> warnings;
 };
 
-/// Returns how long a run with this many scored trials takes, with practice and breaks: 4 s per object (25 s
-/// per apex), or as long as the rules allow, and 2 s per answer.
+/// Returns how long one trial of a condition takes until the next one comes: 4 s per object (25 s per apex),
+/// or as long as the rules allow, 2 s per answer, and the time between trials. Unit: s.
+double secondsOfTrial(const Condition& condition, const TrialRules& rules);
+
+/// Returns how long a run with this many scored trials takes, with practice and breaks
+/// (secondsOfTrial).
 double minutesOf(const Condition& condition, const TrialRules& rules, double trials);
 
 /// Plans a condition. `runs`: 0 for the analytic part only. Each condition has its own random numbers, from

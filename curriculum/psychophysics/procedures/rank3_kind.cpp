@@ -48,9 +48,11 @@ std::vector<Parameter> rank3Rows() {
                               "neighbours are called equal.",
                .item = "A threshold above 0.",
                .title = QT_TRANSLATE_NOOP("Procedures", "Ties (in σ)"),
-               .meaning = QT_TRANSLATE_NOOP("Procedures",
-                                            "Possible limits: two objects whose felt difference is smaller "
-                                            "are called equal. In standard deviations of what is felt."),
+               .meaning = QT_TRANSLATE_NOOP(
+                   "Procedures",
+                   "Values of the limit that are considered possible: two objects are called "
+                   "equal when the difference felt is below it. In standard deviations of what is "
+                   "felt."),
                .applies = allowsTies}),
         rowOf(&Spec::log10Sigma,
               {.key = "log10_sigma",

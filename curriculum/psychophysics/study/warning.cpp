@@ -104,7 +104,8 @@ constexpr std::array<std::pair<WarningKind, std::string_view>, static_cast<std::
          "shown: # trials on a device that renders no force: they were shown, not felt"},
         {WarningKind::shownLeftOut,
          "shown_left_out: @ to whom objects were shown, not felt, left out of the group"},
-        {WarningKind::shownInGroup, "shown_in_group: the group holds @ to whom objects were shown, not felt"},
+        {WarningKind::shownInGroup, "shown_in_group: @ to whom objects were shown, not felt, are in the "
+                                    "group if their answers give a value"},
         {WarningKind::tooFewToTell, "too_few_to_tell: too few answers to tell them from guessing"},
     }};
 

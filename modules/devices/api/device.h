@@ -47,6 +47,13 @@ public:
     /// hand does not.
     /// Thread: any.
     virtual bool finished() const noexcept { return false; }
+
+    /// Whether the device has no clock of its own, but moves on with each command: inside the program, or
+    /// over a link. Only such a device can take part in a run faster than real time.
+    virtual bool steppedByHost() const noexcept { return descriptor().inProcess; }
+    /// Waits, between two ticks of a run faster than real time, until the device has taken the step of the
+    /// last command. Returns false if it does not: it is gone. Not for the tick.
+    virtual bool awaitStep() noexcept { return true; }
 };
 
 } // namespace chiron::devices

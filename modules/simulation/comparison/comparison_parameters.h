@@ -64,6 +64,9 @@ struct ComparisonParameters {
     bool buttonNeedsAll = false; ///< only once every place has been touched
     /// A place counts as touched once its object exerted this force; 0: at any touch, as in earlier versions.
     double probeAtLeast_N = 0.0;
+    /// An object counts as touched only once it was lifted from the table (mass), where its weight is felt;
+    /// false in sessions of earlier versions, in which pressing it onto the table was enough.
+    bool touchedOnceLifted = false;
     bool adjusts = false; ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
     double maximumForce_N = 4.0; ///< the exercise's cap for the supervisor

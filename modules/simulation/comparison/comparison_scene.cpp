@@ -166,10 +166,12 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     fillQuantities(felt, usable ? tool : core::ToolState{}, out);
 }
 
-/// A graze does not count: where the study asks for a force, the force has to be reached while forces are
-/// rendered.
+/// A graze does not count, nor does an object that was only held: where the study asks for a force, the force
+/// has to be reached while forces are rendered.
 bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const noexcept {
     if (!response.touching || m_course.phase() != TrialPhase::running)
+        return false;
+    if (m_parameters.touchedOnceLifted && response.displacement_m <= ComparedObject::kLifted_m)
         return false;
     return m_parameters.probeAtLeast_N <= 0.0 ||
            (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);

@@ -29,7 +29,7 @@ struct SurfaceShape {
 /// One layer of the tissue. Layers are listed from the surface down; the last one has no lower end.
 struct TissueLayer {
     std::string name;         ///< "skin", "fat", ...
-    double thickness_m = 0.0; ///< > 0; not used for the last layer
+    double thickness_m = 0.1; ///< > 0; not used for the last layer
     double modulus_Pa = 17e3; ///< Young's modulus
 };
 
@@ -73,7 +73,7 @@ struct TissueParameters {
     static constexpr std::size_t kMaxLumps = 6;
 
     SurfaceShape shape;
-    std::vector<TissueLayer> layers{{"gland", 1.0, 17e3}}; ///< 1..kMaxLayers
+    std::vector<TissueLayer> layers{{"gland", 0.1, 17e3}}; ///< 1..kMaxLayers
     double poisson = 0.5;
     double contactRadius_m = 0.005; ///< a, of the finger's pad
     double stiffness_N_per_m = 0.0; ///< along the normal (P3's third of K); 0: from layers and contact radius

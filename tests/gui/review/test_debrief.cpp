@@ -420,7 +420,7 @@ void TestDebrief::countedAgainTellsBothDecisions() {
     QVERIFY2(told.first().contains(QStringLiteral("Voided")) &&
                  told.first().endsWith(QStringLiteral("Tom Trainer: the table shook")),
              qPrintable(told.first()));
-    QVERIFY2(told.last().contains(QStringLiteral("Counted again")) &&
+    QVERIFY2(told.last().contains(QStringLiteral("Set to count again")) &&
                  told.last().endsWith(QStringLiteral("it was another table")),
              qPrintable(told.last()));
     open(m_good);

@@ -32,6 +32,7 @@ private slots:
     void initTestCase();
     void emptyLeadsToExercises();
     void attemptsAndCurve();
+    void bothClassesAreDrawn();
     void countsAndAttemptsHaveWholeNumbers_data();
     void countsAndAttemptsHaveWholeNumbers();
     void onlyMyOwn();
@@ -122,6 +123,30 @@ void TestResults::attemptsAndCurve() {
                           QStringLiteral("Attempt 3 at level 2"), QStringLiteral("Attempt 2 at level 2"),
                           QStringLiteral("Attempt 1 at level 2")}));
     tests::takePictures(*m_site, QStringLiteral("results"), [this] { open(); });
+}
+
+/// What was felt and what was only shown are two curves, and the legend names those that have a point.
+void TestResults::bothClassesAreDrawn() {
+    const auto legend = [this](int felt, int shown) {
+        std::vector<desktop::Attempt> made;
+        for (int i = 0; i < felt + shown; ++i) {
+            desktop::Attempt& attempt = made.emplace_back();
+            attempt.summary.state = database::SessionState::completed;
+            attempt.summary.attempt = i + 1;
+            attempt.summary.felt = i < felt;
+            scoring::MetricValue& value = attempt.metrics.emplace_back();
+            value.id = "apex_misses";
+            value.value = i;
+        }
+        report::MetricRow row;
+        row.id = QStringLiteral("apex_misses");
+        return desktop::learningCurve(made, row, desktop::plotThemeOf(m_site->context.theme(), QLocale::c()))
+            ->legendTexts();
+    };
+    const QString felt = QStringLiteral("felt"), shown = QStringLiteral("shown, not felt");
+    QCOMPARE(legend(2, 0), QStringList{felt});
+    QCOMPARE(legend(0, 1), QStringList{shown});
+    QCOMPARE(legend(1, 2), (QStringList{felt, shown}));
 }
 
 void TestResults::countsAndAttemptsHaveWholeNumbers_data() {

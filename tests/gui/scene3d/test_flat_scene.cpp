@@ -4,6 +4,7 @@
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"
 #include "gui/scene3d/scene_samples.h"
+#include "support/paint_outline.h"
 #include "support/painted_shapes.h"
 #include "support/patience.h"
 
@@ -13,6 +14,7 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWidget>
@@ -83,6 +85,29 @@ private slots:
             QVERIFY2(QFontMetricsF(font, &paper).horizontalAdvance(title) <= room,
                      qPrintable(QString::number(pixelsPerMm)));
             QCOMPARE(font.pixelSize() == panel.font(14, true).pixelSize(), pixelsPerMm == 20.0);
+        }
+    }
+
+    /// However low the scene is, and however large its texts.
+    void theTitlesAreWithinALowScene() {
+        SceneSetup setup = samples::setup();
+        setup.scale = 2.0;
+        const auto view = makeFlatSceneView(setup, QStringLiteral("Shown in 2D."), nullptr);
+        view->show(samples::inAir());
+        for (const QSize size : {QSize(1216, 90), QSize(1216, 150), QSize(1216, 300), QSize(640, 480)}) {
+            view->widget()->resize(size);
+            int titles = 0;
+            for (const QString& line : tests::OutlineDevice::of(*view->widget())) {
+                const auto words =
+                    QRegularExpression(QStringLiteral("words \"From [a-z ]+\" (-?[0-9.]+),(-?[0-9.]+)"))
+                        .match(line);
+                if (!words.hasMatch())
+                    continue;
+                ++titles;
+                const double x = words.captured(1).toDouble(), y = words.captured(2).toDouble();
+                QVERIFY2(x >= 0.0 && x < size.width() && y >= 8.0 && y <= size.height(), qPrintable(line));
+            }
+            QCOMPARE(titles, 2);
         }
     }
 

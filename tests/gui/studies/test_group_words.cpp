@@ -7,7 +7,9 @@
 #include "session_report/group_words.h"
 #include "session_report/marked_estimates.h"
 #include "session_report/study_comparison_words.h"
+#include "session_report/study_warning_words.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -62,6 +64,11 @@ private slots:
     void theTaskIsDoubtedOnlyOfGuessers();
     void verdictsSayNoMoreThanTheNumbers();
     void whoIsComparedIsNamed();
+    void everyNoticeSaysHowManyItConcerns();
+    void theTestIsNamed();
+    void noNoticeContradictsTheStatement();
+    void whatATooSmallStudyNeedsIsSaid();
+    void eachConditionHasItsWeberFraction();
     void aValueFromThePriorIsNone();
 };
 
@@ -137,7 +144,7 @@ void TestGroupWords::whoBreaksOffIsNotFinished() {
     session::GroupRoll roll = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}});
     QVERIFY(session_report::groupSentences(roll, kEnglish)
                 .join(u' ')
-                .contains(QStringLiteral("B: the answers give no value yet. The run is not finished")));
+                .contains(QStringLiteral("(B): the answers give no value yet. The run is not finished")));
     roll.closed = true;
     QVERIFY(session_report::groupSentences(roll, kEnglish)
                 .join(u' ')
@@ -150,8 +157,9 @@ void TestGroupWords::noValueIsSaidOnce() {
         rollOf({{"A", Presence::allRight}, {"B", Presence::notBegun}}), kEnglish);
     QVERIFY(said.front().startsWith(QStringLiteral("There is no group value yet")));
     QVERIFY(!said.join(u' ').contains(QStringLiteral("includes")));
-    QVERIFY(said.join(u' ').contains(QStringLiteral("A: every answer was right")) &&
-            said.join(u' ').contains(QStringLiteral("B: this condition has not been begun")));
+    QVERIFY(said.join(u' ').contains(QStringLiteral("1 of 2 participants (A): every answer was right")) &&
+            said.join(u' ').contains(
+                QStringLiteral("1 of 2 participants (B): this condition has not been begun")));
     const auto group = psychophysics::estimateGroup(
         {estimateWith(0.01, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})}, 1);
     QVERIFY(psychophysics::hasWarning(group.warnings, WarningKind::noParticipants)); // as data have it
@@ -291,8 +299,9 @@ void TestGroupWords::whatAComparisonLacksIsSaid() {
     QVERIFY2(said[0].contains(QStringLiteral("needs at least two people, and these have 1 and 2")),
              qPrintable(said[0]));
     QVERIFY2(said[0].startsWith(QStringLiteral("“Soft” and “Stiff” have a ratio")), qPrintable(said[0]));
-    QVERIFY2(said[1].startsWith(QStringLiteral("A is not in this comparison: it is of two groups")),
-             qPrintable(said[1]));
+    QVERIFY2(
+        said[1].startsWith(QStringLiteral("A is not in this comparison: it compares two separate groups")),
+        qPrintable(said[1]));
     QVERIFY2(said[2].startsWith(QStringLiteral("W: withdrawn")), qPrintable(said[2]));
     QCOMPARE(session_report::comparisonHeadings(false).size(),
              session_report::comparisonRow(groups, QStringLiteral("a"), QStringLiteral("b"), false, kEnglish)
@@ -421,13 +430,17 @@ void TestGroupWords::theTaskIsDoubtedOnlyOfGuessers() {
     const QStringList doubted = session_report::groupSentences(roll, kEnglish)
                                     .filter(QStringLiteral("Check that the task was understood"));
     QCOMPARE(doubted.size(), 1);
-    QVERIFY2(doubted.front().startsWith(QStringLiteral("B: ")), qPrintable(doubted.front()));
-    QCOMPARE(session_report::groupSentences(roll, kEnglish).filter(QStringLiteral("A, C: ")).size(), 1);
+    QVERIFY2(doubted.front().startsWith(QStringLiteral("1 of 4 participants (B): ")),
+             qPrintable(doubted.front()));
+    QCOMPARE(session_report::groupSentences(roll, kEnglish)
+                 .filter(QStringLiteral("2 of 4 participants (A, C): "))
+                 .size(),
+             1);
 }
 
 void TestGroupWords::verdictsSayNoMoreThanTheNumbers() {
     QString said = verdictOf(comparedBy(1.0, 3.3e-6, 303393.0, 1.0));
-    QVERIFY2(said.startsWith(QStringLiteral("No difference between “Soft” and “Stiff” is shown")) &&
+    QVERIFY2(said.startsWith(QStringLiteral("The values show no difference between “Soft” and “Stiff”")) &&
                  said.contains(QStringLiteral("unbounded in practice (too few participants)")) &&
                  said.contains(
                      QStringLiteral("With 2 participants in both conditions, even a tenfold difference")),
@@ -456,7 +469,7 @@ void TestGroupWords::verdictsSayNoMoreThanTheNumbers() {
     session::ComparedConditions adjusted = comparedBy(1.4, 1.1, 1.8, 0.03);
     adjusted.weber.pHolm = 0.09; // one of several comparisons
     said = verdictOf(adjusted);
-    QVERIFY2(said.startsWith(QStringLiteral("No difference")) &&
+    QVERIFY2(said.startsWith(QStringLiteral("The values show no difference")) &&
                  said.contains(QStringLiteral("adjusted p = 0.090")) &&
                  said.contains(QStringLiteral("interval is that of this comparison alone")) &&
                  !said.contains(QStringLiteral("remains possible")),
@@ -475,6 +488,103 @@ void TestGroupWords::whoIsComparedIsNamed() {
                  "A, B, with a value only in “Soft”, and C, D, with a value only in “Stiff”.")),
              qPrintable(said));
     QVERIFY2(said.contains(QStringLiteral("two groups of 2 and 2 participants")), qPrintable(said));
+}
+
+/// Of those whom the first sentence counts; of everybody for those who take no part. Where there is nobody
+/// else, a number would say nothing.
+void TestGroupWords::everyNoticeSaysHowManyItConcerns() {
+    const auto roll = rollOf({{"A", Presence::used},
+                              {"B", Presence::allRight},
+                              {"C", Presence::allRight},
+                              {"D", Presence::notBegun},
+                              {"W", Presence::withdrawn}});
+    const QStringList said = session_report::groupSentences(roll, kEnglish);
+    QVERIFY(said.front().contains(QStringLiteral("1 of 4 participants")));
+    for (const char* begins : {"2 of 4 participants (B, C): every answer", "1 of 4 participants (D): this",
+                               "1 of 5 participants (W): withdrawn"})
+        QCOMPARE(said.filter(QLatin1String(begins)).size(), 1);
+    const QStringList alone = session_report::groupSentences(rollOf({{"A", Presence::allRight}}), kEnglish);
+    QVERIFY2(alone.last().startsWith(QStringLiteral("A: every answer")), qPrintable(alone.last()));
+    for (const QString& each : said + alone)
+        QVERIFY2(!each.contains(QStringLiteral("1 participants")) && !each.contains(QStringLiteral("(s)")),
+                 qPrintable(each));
+}
+
+/// Whether or not somebody has a value, what is said of runs that were shown or simulated is true.
+void TestGroupWords::noNoticeContradictsTheStatement() {
+    for (const Presence presence : kAll) {
+        if (presence == Presence::used || presence == Presence::sealed)
+            continue;
+        const QString statement = session_report::groupSentences(rollOf({{"A", presence}}), kEnglish).front();
+        QVERIFY2(statement.startsWith(QStringLiteral("There is no group value")), qPrintable(statement));
+        QVERIFY2(!statement.contains(QStringLiteral("usable")),
+                 qPrintable(statement)); // A may have given one
+    }
+    for (const WarningKind kind :
+         {WarningKind::shownInGroup, WarningKind::notRenderedOfGroup, WarningKind::simulatedOnly}) {
+        const QString notice = session_report::warningWords({kind, 1});
+        for (const char* claims : {"group includes", "of the group", "group contains"})
+            QVERIFY2(!notice.contains(QLatin1String(claims)), qPrintable(notice));
+    }
+    QVERIFY(session_report::warningWords({WarningKind::shownInGroup, 1})
+                .contains(QStringLiteral("if its answers give a value")));
+}
+
+/// From how much people scatter, not from the ratio that was found; and from fewer than three people nothing
+/// is reckoned.
+void TestGroupWords::whatATooSmallStudyNeedsIsSaid() {
+    const auto of = [](int people, double low, double high) {
+        session::ComparedConditions compared = comparedBy(std::sqrt(low * high), low, high, 0.6);
+        compared.weber.participants = compared.weber.first = compared.weber.second = people;
+        return verdictOf(compared);
+    };
+    QVERIFY2(of(2, 0.55, 2.2).contains(QStringLiteral("cannot be told from so few")),
+             qPrintable(of(2, 0.55, 2.2)));
+    const auto needed = [&](int people, double low, double high) {
+        static const QRegularExpression kNumber(QStringLiteral("about (\\d+) participants in both"));
+        return kNumber.match(of(people, low, high)).captured(1).toInt();
+    };
+    const int few = needed(6, 0.6, 1.8), more = needed(6, 0.4, 2.7);
+    QVERIFY2(few > 6 && more > few, qPrintable(of(6, 0.6, 1.8) + of(6, 0.4, 2.7)));
+    QCOMPARE(needed(6, 0.6 * 1.2, 1.8 * 1.2), few);                    // the same scatter about another ratio
+    QVERIFY(!of(6, 0.9, 1.15).contains(QStringLiteral("are needed"))); // six are enough
+    QVERIFY(of(6, 0.6, 1.8).contains(QStringLiteral("1.5 times the other")));
+    session::GroupRoll roll;
+    roll.people = {{"A", Presence::unbounded, false, session::Remedy::moreTrials, false, false, 7}};
+    QString said = session_report::groupSentences(roll, kEnglish).join(u' ');
+    QVERIFY2(said.contains(QStringLiteral("Fewer than 20 answers")) &&
+                 said.contains(QStringLiteral("Expected precision")),
+             qPrintable(said));
+    roll.people.front().answers = 40;
+    said = session_report::groupSentences(roll, kEnglish).join(u' ');
+    QVERIFY2(!said.contains(QStringLiteral("Fewer than 20")) &&
+                 said.contains(QStringLiteral("Expected precision")),
+             qPrintable(said));
+}
+
+/// With its degrees of freedom; and none where there is no p.
+void TestGroupWords::theTestIsNamed() {
+    QVERIFY(verdictOf(comparedBy(1.4, 1.1, 1.8, 0.012))
+                .contains(QStringLiteral("paired t test on the log Weber fractions (df = 1;")));
+    session::ComparedConditions groups = comparedBy(1.0, 0.5, 2.0, 1.0);
+    groups.weber.paired = false;
+    QVERIFY(verdictOf(groups).contains(QStringLiteral("Welch's t test on the log Weber fractions")));
+    const double none = std::nan("");
+    QVERIFY(!verdictOf(comparedBy(1.4, none, none, none)).contains(QStringLiteral("t test")));
+}
+
+void TestGroupWords::eachConditionHasItsWeberFraction() {
+    using session_report::weberOfCondition;
+    const auto two = psychophysics::estimateGroup({estimateWith(0.1, {}), estimateWith(0.12, {})}, 1);
+    const QString said = weberOfCondition(two, nameOf(0), kEnglish);
+    QVERIFY2(said.startsWith(QStringLiteral("“Soft”: Weber fraction 1")) &&
+                 said.contains(QStringLiteral("95 % interval: ")) &&
+                 said.endsWith(QStringLiteral("of 2 participants.")),
+             qPrintable(said));
+    const auto one = psychophysics::estimateGroup({estimateWith(0.1, {})}, 1);
+    QVERIFY(weberOfCondition(one, nameOf(0), kEnglish).endsWith(QStringLiteral("of one participant.")));
+    const auto none = psychophysics::estimateGroup({estimateWith(0.1, {{WarningKind::priorEdgeLow}})}, 1);
+    QVERIFY(weberOfCondition(none, nameOf(0), kEnglish).isEmpty());
 }
 
 /// What stands in an estimate that the answers do not support comes from the prior, and is not shown as a

@@ -3,6 +3,7 @@
 // anything counts, answers only when they are possible, practice taken back, the neutral end, the way to the
 // experimenter's desk; and what happens half-way.
 #include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/asked_sitting.h"
 #include "desktop/study_run/participant_window.h"
@@ -11,6 +12,7 @@
 #include "desktop/study_run/study_controls.h"
 #include "session/study/study_analysis.h"
 #include "session/study/trial_fidelity.h"
+#include "support/paint_outline.h"
 #include "support/patience.h"
 #include "support/sitting_hands.h"
 
@@ -76,9 +78,17 @@ private slots:
     void theControlsOfEveryTaskAndDeviceAreShown();
     void whatIsMissingIsNamed();
     void aTooLightTouchIsTold();
+    void aMassIsLiftedAndPutDownStepByStep();
+    void pressingAMassIsNoLift();
+    void theFreeMinuteTellsEachStep();
+    void aPadIsStroked();
+    void anAnswerThatIsTakenBackIsNamed();
+    void theForceBarIsLabelled();
     void theCardAndTheFreeMinuteComeFirst();
     void nothingCountsBeforeTheTrials();
     void aLongCardIsReadBeforeItBegins();
+    void aLongInstructionIsReadBeforeItEnds();
+    void nothingIsCutWithLargeTexts();
     void aFurtherPartIsShort();
     void aSecondPressSkipsNoInstruction();
     void aClickInTheSceneAnswersNothing();
@@ -88,6 +98,9 @@ private slots:
     void aStopRepeatsNothing();
     void aTrialThatDoesNotCountIsTold();
     void everyReasonHasWords();
+    void theReasonThatHeldIsTold();
+    void howTrialsGoOnIsSaidBeforeTheyCount();
+    void stopWordsFollowTheDevice();
     void enterAndSpaceGoOn();
     void enterAfterANumberCallsNobody();
     void whatTheStationDoesIsSaid();
@@ -110,6 +123,22 @@ private slots:
 private:
     /// A frozen study and a participant who has consented.
     void prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change = {});
+    /// Two objects that differ in mass, one of which is heavier.
+    void prepareMass(const std::string& key,
+                     const std::function<void(psychophysics::StudyDesign&)>& change = {}) {
+        prepare(key, [&change](psychophysics::StudyDesign& design) {
+            psychophysics::Condition& condition = design.conditions[0];
+            condition.stimulus.attribute = psychophysics::Attribute::mass;
+            condition.stimulus.reference = 0.1;
+            condition.stimulus.fixed["stiffness_N_per_m"] = 300.0;
+            condition.task = psychophysics::Task::twoAfc;
+            condition.procedures = {
+                psychophysics::ConstantSpec{{condition.stimulus.differences.back()}, 10, true}};
+            design.trial.exploreLimit_s = 0.0;
+            if (change)
+                change(design);
+        });
+    }
     desktop::TrialsScreen* sit(bool oneScreen = true, double freeMinute_s = 60.0);
     void press(int key) { QTest::keyClick(m_site->window.get(), static_cast<Qt::Key>(key)); }
     QString said(desktop::TrialsScreen* screen, const char* label) {
@@ -221,7 +250,8 @@ void TestParticipantPage::theControlsOfEveryTaskAndDeviceAreShown() {
                 facts.keys =
                     desktop::studyKeys(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
                 facts.offersPractice = false;
-                QCOMPARE(facts.controls.size(), std::size_t(3));
+                const bool holds = desktop::takesHold(desktop::handlingOf(static_cast<Attribute>(attribute)));
+                QCOMPARE(facts.controls.size(), std::size_t(holds ? 4 : 3)); // letting go is one of its own
                 for (const desktop::ControlHint& hint : facts.controls) {
                     QVERIFY(!hint.what.isEmpty() && !hint.how.isEmpty());
                     QVERIFY2(hand.pointer || !hint.how.contains(QStringLiteral("mouse")),
@@ -239,7 +269,11 @@ void TestParticipantPage::whatIsMissingIsNamed() {
     QVERIFY(screen && tests::beginTrials(screen));
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
-    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Touch first: 1, 2, 3."), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(
+        why->text(),
+        QStringLiteral("Pull first: 1, 2, 3. Move the tool over a ring and lower it into "
+                       "the ring: roll the wheel towards you, or hold Page Down."),
+        kPatience_ms);
     for (const char* name : {"answer.0", "answer.1", "answer.2", "answer.confirm"})
         QVERIFY2(!tests::sittingButton(screen, name)->isEnabled(), name);
     QTest::keyClick(m_site->window.get(), Qt::Key_1); // neither do keys answer
@@ -262,7 +296,9 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
     QVERIFY(reach(live, -0.04, 0.060) && reach(live, -0.04, 0.027)); // in the ring of the first
     QVERIFY(reach(live, -0.04, 0.03015));                            // 0.15 mm out: at most 0.14 N
-    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."),
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(),
+                              QStringLiteral("Pull a little harder on 1: at least 0.3 N. Roll the wheel away "
+                                             "from you, or hold Page Up."),
                               kPatience_ms);
     QCOMPARE(live.view().touched, 0U);
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
@@ -271,15 +307,188 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     QTRY_VERIFY2_WITH_TIMEOUT(
         why->text().startsWith(
             QStringLiteral("You are holding object 1. To let go, lower the tool below the dashed line")) &&
-            why->text().endsWith(QStringLiteral("Touch next: 2, 3.")),
+            why->text().endsWith(QStringLiteral("Pull next: 2, 3.")),
         qPrintable(why->text()), kPatience_ms);
     const auto& scene = live.level().parameters.as<simulation::ComparisonParameters>();
     QVERIFY(reach(live, -0.04, simulation::letGoHeight_m(scene) - 0.0005)); // just below the line
-    const QString letGo = QStringLiteral("You let go of object 1. Raise the tool. Touch next: 2, 3.");
+    const QString letGo = QStringLiteral("You let go of object 1. Raise the tool. Pull next: 2, 3.");
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.045)); // straight up through the ring, which takes no hold again
     QTRY_COMPARE_WITH_TIMEOUT(why->text(), letGo, kPatience_ms);
     QCOMPARE(live.view().place, -1);
+}
+
+/// Each step is told when it comes, and drawn; whoever holds an object learns how to let go of it before
+/// another one can be lifted.
+void TestParticipantPage::aMassIsLiftedAndPutDownStepByStep() {
+    prepareMass("mass_steps", [](psychophysics::StudyDesign& design) { design.trial.mustTouchAll = true; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+    session::LiveSitting& live = *screen->live();
+    const auto* places = page(screen)->findChild<desktop::PlacesView*>();
+    const auto says = [&](const char* words) {
+        return QTest::qWaitFor([&] { return said(screen, "answer.why").contains(QLatin1String(words)); },
+                               kPatience_ms);
+    };
+    const double left = -0.02, right = 0.02;
+    QVERIFY(says("Lift first: 1, 2. Move the tool over a ring and lower it into the ring"));
+    QVERIFY(reach(live, left, 0.050) && reach(live, left, 0.031));
+    QVERIFY(says("You are holding object 1. Lift it off the table: roll the wheel away from you"));
+    QCOMPARE(live.view().touched, 0U);
+    QCOMPARE(places->drawnHeight_m(0), 0.0);
+    QVERIFY(reach(live, left, 0.045));
+    QVERIFY(says("You are lifting object 1. To put it down, lower it to the table"));
+    QVERIFY(says("Lift next: 2."));
+    QTRY_VERIFY_WITH_TIMEOUT(places->drawnHeight_m(0) > 0.007, kPatience_ms); // held from 6 mm above the ring
+    QVERIFY(places->drawnHeight_m(0) < 0.02);
+    QVERIFY(reach(live, right, 0.045) && reach(live, right, 0.0357)); // in the ring of the other one
+    QVERIFY(says("Object 1 stands on the table, and you still hold it. To let go, lower the tool at least "
+                 "0.9 mm further")); // 0.25 N on a bed of 300 N/m
+    QCOMPARE(live.view().place, 0);
+    QVERIFY(reach(live, left, 0.0357));
+    QTRY_VERIFY_WITH_TIMEOUT(places->drawnHeight_m(0) < 0.001, kPatience_ms);
+    QVERIFY(reach(live, left, 0.033));
+    QVERIFY(says("Now raise the tool: object 1 stays on the table."));
+    QVERIFY(reach(live, left, 0.050));
+    QVERIFY(says("You let go of object 1. Raise the tool. Lift next: 2."));
+    QCOMPARE(places->drawnHeight_m(0), 0.0);
+    QVERIFY(reach(live, right, 0.050) && reach(live, right, 0.031) && reach(live, right, 0.045));
+    QVERIFY(says("You can answer now. You are lifting object 2."));
+    QVERIFY(live.view().canAnswer);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// Pressed onto the table it weighs nothing: it does not count as explored.
+void TestParticipantPage::pressingAMassIsNoLift() {
+    prepareMass("mass_pressed", [](psychophysics::StudyDesign& design) {
+        design.trial.mustTouchAll = true;
+        design.trial.probeAtLeast_N = 0.3;
+        design.fidelity.peakForce_N = 2.0;
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+    session::LiveSitting& live = *screen->live();
+    QVERIFY(reach(live, -0.02, 0.050) && reach(live, -0.02, 0.031));
+    QVERIFY(reach(live, -0.02, 0.029)); // 1.8 N and more, and not once in the air
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        said(screen, "answer.why")
+            .startsWith(QStringLiteral("Press the object less hard onto the table in this trial. You are "
+                                       "holding object 1. Lift it off the table")),
+        qPrintable(said(screen, "answer.why")), kPatience_ms);
+    QCOMPARE(live.view().touched, 0U);
+    QVERIFY(reach(live, -0.02, 0.045));
+    QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// The steps of a hold; and whoever never let go reads how before anything counts.
+void TestParticipantPage::theFreeMinuteTellsEachStep() {
+    for (const bool letsGo : {false, true}) {
+        prepareMass(letsGo ? "mass_free" : "mass_free_held");
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen && tests::pastTheCard(screen));
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
+        session::LiveSitting& live = *screen->live();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            said(screen, "answer.why").startsWith(QStringLiteral("Move the tool over a ring")), kPatience_ms);
+        QVERIFY(reach(live, -0.02, 0.050) && reach(live, -0.02, 0.031) && reach(live, -0.02, 0.045));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            said(screen, "answer.why").startsWith(QStringLiteral("You are lifting object 1.")), kPatience_ms);
+        if (letsGo) {
+            QVERIFY(reach(live, -0.02, 0.028) && reach(live, -0.02, 0.050));
+            QTRY_VERIFY_WITH_TIMEOUT(
+                said(screen, "answer.why").startsWith(QStringLiteral("You let go of object 1.")),
+                kPatience_ms);
+        }
+        live.endTrying();
+        QVERIFY(QTest::qWaitFor([&] { return live.view().state != State::trying; }, kPatience_ms));
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+    prepareMass("mass_free_ends");
+    desktop::TrialsScreen* screen = sit(true, 1.0); // ends by itself, and nothing was let go of
+    QVERIFY(screen && tests::pastTheCard(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The free minute is over"),
+                              kPatience_ms);
+    QVERIFY2(said(screen, "break.text").contains(QStringLiteral("You have not let go of an object yet")) &&
+                 said(screen, "break.text").contains(QStringLiteral("To put the object down")),
+             qPrintable(said(screen, "break.text")));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// Nobody is told to pull or to let go of what is stroked.
+void TestParticipantPage::aPadIsStroked() {
+    prepare("pads", [](psychophysics::StudyDesign& design) {
+        design.conditions[0].stimulus.attribute = psychophysics::Attribute::friction;
+        design.conditions[0].stimulus.reference = 0.3;
+        design.trial.mustTouchAll = true;
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::pastTheCard(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
+    session::LiveSitting& live = *screen->live();
+    QTRY_VERIFY_WITH_TIMEOUT(said(screen, "answer.why").contains(QStringLiteral("lower it onto the object")),
+                             kPatience_ms);
+    QVERIFY(reach(live, -0.04, 0.010) && reach(live, -0.04, -0.001));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        said(screen, "answer.why").contains(QStringLiteral("Move the mouse to stroke it")), kPatience_ms);
+    const auto isFree = [&] {
+        return said(screen, "answer.why").contains(QStringLiteral("The pointer is free: click in the scene"));
+    };
+    QVERIFY(!isFree());
+    press(Qt::Key_T); // frees it, so that the mouse moves nothing
+    QTRY_VERIFY_WITH_TIMEOUT(isFree(), kPatience_ms);
+    QTest::mouseClick(page(screen)->findChild<desktop::PlacesView*>(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!isFree(), kPatience_ms);
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// The button of practice says what it takes back, for every task.
+void TestParticipantPage::anAnswerThatIsTakenBackIsNamed() {
+    using namespace psychophysics;
+    const QLocale locale(QLocale::English);
+    for (int task = 0; task < kTasks; ++task) {
+        QStringList told;
+        for (int answer = 0; answer < answers(static_cast<Task>(task)); ++answer) {
+            const QString words =
+                desktop::study_words::answer(static_cast<Task>(task), Attribute::mass, answer, 12.5, locale);
+            QVERIFY2(!words.isEmpty() && !told.contains(words), qPrintable(words));
+            told << words;
+        }
+        QVERIFY(
+            desktop::study_words::answer(static_cast<Task>(task), Attribute::mass, -1, {}, locale).isEmpty());
+    }
+    QCOMPARE(desktop::study_words::answer(Task::rank3Ties, Attribute::mass, rankingOf({1, 0, 1}), {}, locale),
+             QStringLiteral("2, 1 = 3"));
+    prepareMass("take_back", [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    press(Qt::Key_2);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::sittingButton(screen, "trials.take_back")->isVisible(), kPatience_ms);
+    QCOMPARE(tests::sittingButton(screen, "trials.take_back")->text(),
+             QStringLiteral("Take back: 2 is heavier (⌫)"));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// What the bar shows, and where its limit is, in its unit; the force itself has no number. Where force is
+/// felt, there is no bar.
+void TestParticipantPage::theForceBarIsLabelled() {
+    const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
+    desktop::PlacesView view(theme, {});
+    view.resize(640, 360);
+    desktop::PlacesView::Now now;
+    now.force_N = 2.345;
+    now.limit_N = 3.5;
+    for (const bool felt : {false, true}) {
+        now.feltNothing = !felt;
+        view.show({}, now);
+        const QString drawn = tests::OutlineDevice::of(view).join(QLatin1Char('\n'));
+        QCOMPARE(drawn.contains(QStringLiteral("\"Force\"")), !felt);
+        QCOMPARE(drawn.contains(QStringLiteral("\"Limit: 3.5 N\"")), !felt);
+        QVERIFY(!drawn.contains(QStringLiteral("2.345")) || felt);
+    }
 }
 
 /// From the press of "Go" to the end of the free minute, also while its objects come and go.
@@ -331,6 +540,90 @@ void TestParticipantPage::aLongCardIsReadBeforeItBegins() {
     QVERIFY(tests::stopSitting(*m_site, screen));
     m_site->settings.setScale(1.0);
     m_site->context.applyAppearance();
+}
+
+/// Enter and Space show the rest of a page that is longer than the window, and go on once its end was seen.
+void TestParticipantPage::aLongInstructionIsReadBeforeItEnds() {
+    const auto look = [this](double scale) {
+        m_site->window->resize(1280, 720);
+        m_site->settings.setScale(scale);
+        m_site->context.applyAppearance();
+    };
+    for (const int key : {int(Qt::Key_Return), int(Qt::Key_Space)}) {
+        prepare(key == Qt::Key_Space ? "long_by_space" : "long_by_enter",
+                [](psychophysics::StudyDesign& design) {
+                    std::string& words = design.instructions["en"];
+                    for (int i = 0; i < 12; ++i)
+                        words += " Explore each of them with calm and steady movements.";
+                });
+        look(2.0);
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen);
+        const auto* text = page(screen)->findChild<QLabel*>(QStringLiteral("break.text"));
+        const QScrollArea* area = nullptr;
+        for (const QWidget* part = text; part && !area; part = part->parentWidget())
+            area = qobject_cast<const QScrollArea*>(part);
+        QVERIFY(area);
+        const QScrollBar& bar = *area->verticalScrollBar();
+        QTRY_VERIFY_WITH_TIMEOUT(bar.maximum() > 0, kPatience_ms);
+        const auto* more = page(screen)->findChild<QLabel*>(QStringLiteral("break.read_on"));
+        QTRY_VERIFY_WITH_TIMEOUT(more->isVisible(), kPatience_ms);
+        const auto card = [&] { return page(screen)->findChild<desktop::ReadyCard*>(); };
+        bool endSeen = false;
+        QVERIFY(pressUntil(key, [&] {
+            endSeen = endSeen || bar.value() >= bar.maximum();
+            return card() != nullptr;
+        }));
+        QVERIFY(endSeen);
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+    look(1.0);
+}
+
+/// At 200 % in the smallest window: every line has its height, nothing lies over anything else, and the scene
+/// can be worked in.
+void TestParticipantPage::nothingIsCutWithLargeTexts() {
+    for (const bool apex : {false, true}) {
+        const auto large = [apex](psychophysics::StudyDesign& design) {
+            design.trial.mustTouchAll = true;
+            if (apex)
+                design.conditions = tests::apexStudy("large", 4).conditions;
+        };
+        apex ? prepare("large_apex", large) : prepareMass("large_mass", large);
+        m_site->window->resize(1280, 720);
+        m_site->settings.setScale(2.0);
+        m_site->context.applyAppearance();
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen && tests::pastTheCard(screen));
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
+        QTest::qWait(200); // until the layout rests
+        const QWidget* all = page(screen);
+        QCOMPARE(all->window()->size(), QSize(1280, 720));
+        std::vector<std::pair<QRect, QString>> lines;
+        for (const QLabel* label : all->findChildren<QLabel*>())
+            if (label->isVisible() && !label->text().trimmed().isEmpty()) {
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+                lines.push_back({QRect(label->mapTo(all, QPoint()), label->size()), label->text()});
+            }
+        for (const QPushButton* button : all->findChildren<QPushButton*>())
+            if (button->isVisible()) {
+                QVERIFY2(button->height() >= button->minimumSizeHint().height(), qPrintable(button->text()));
+                lines.push_back({QRect(button->mapTo(all, QPoint()), button->size()), button->text()});
+            }
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            QVERIFY2(all->rect().contains(lines[i].first), qPrintable(lines[i].second));
+            for (std::size_t j = 0; j < i; ++j)
+                QVERIFY2(!lines[i].first.intersects(lines[j].first),
+                         qPrintable(lines[i].second + QStringLiteral(" | ") + lines[j].second));
+        }
+        const auto* scene =
+            all->findChild<QWidget*>(apex ? QStringLiteral("scene.flat") : QStringLiteral("trials.places"));
+        QVERIFY(scene);
+        QVERIFY2(scene->height() >= 200, qPrintable(QString::number(scene->height())));
+        QVERIFY(tests::stopSitting(*m_site, screen));
+        m_site->settings.setScale(1.0);
+        m_site->context.applyAppearance();
+    }
 }
 
 /// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is
@@ -579,14 +872,15 @@ void TestParticipantPage::theHandIsToldBeforeTheLimit() {
     const QString told = QStringLiteral("Pull less hard in this trial.");
     QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(told + QStringLiteral(" You are holding object 1.")),
                               qPrintable(why->text()), kPatience_ms);
-    QVERIFY(why->text().endsWith(QStringLiteral("Touch next: 2, 3.")));
+    QVERIFY(why->text().endsWith(QStringLiteral("Pull next: 2, 3.")));
     QVERIFY(reach(live, -0.04, 0.031));
     QTest::qWait(100); // some frames
     QVERIFY2(why->text().startsWith(told), qPrintable(why->text()));
     live.spoil();
     QTRY_COMPARE_WITH_TIMEOUT(live.numbers().spoiled, 1, kPatience_ms);
     QVERIFY(reach(live, -0.04, 0.060)); // off, so that the trial comes again
-    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Touch first: 1, 2, 3."), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().startsWith(QStringLiteral("Pull first: 1, 2, 3.")),
+                              qPrintable(why->text()), kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
@@ -644,18 +938,125 @@ void TestParticipantPage::aTrialThatDoesNotCountIsTold() {
 
 /// In every language, and of whether an answer was right they tell nothing.
 void TestParticipantPage::everyReasonHasWords() {
+    using desktop::Handling;
     const QLocale locale(QLocale::English);
-    QStringList told;
-    for (const char* reason : {"untouched", "speed", "peak_force", "time", "experimenter", "late_ticks"}) {
-        const QString words = desktop::TrialsScreen::repeatedWords(reason, true, 0.3, locale);
-        QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('_')) && !told.contains(words), reason);
-        for (const char* never : {"right", "wrong", "correct", "mistake"})
-            QVERIFY2(!words.contains(QLatin1String(never), Qt::CaseInsensitive), qPrintable(words));
-        told << words;
+    using Missed = session::LiveStudyView::Missed;
+    const auto words = [&](const char* reason, Handling handling, Missed missed = Missed::none) {
+        return desktop::TrialsScreen::repeatedWords(reason, missed, handling, 0.3, locale);
+    };
+    for (const Handling handling : {Handling::press, Handling::stroke, Handling::pull, Handling::lift}) {
+        QStringList told;
+        for (const char* reason :
+             {"untouched", "speed", "peak_force", "time", "experimenter", "late_ticks"}) {
+            const QString said = words(reason, handling);
+            QVERIFY2(!said.isEmpty() && !said.contains(QLatin1Char('_')) && !told.contains(said), reason);
+            for (const char* never : {"right", "wrong", "correct", "mistake"})
+                QVERIFY2(!said.contains(QLatin1String(never), Qt::CaseInsensitive), qPrintable(said));
+            told << said;
+        }
+        for (const char* device : {"saturation", "force_error",
+                                   "stiffness_error"}) // which limit it was might tell what the object was
+            QCOMPARE(words(device, handling), told.back());
     }
-    for (const char* device : {"saturation", "force_error",
-                               "stiffness_error"}) // which limit it was might tell what the object was
-        QCOMPARE(desktop::TrialsScreen::repeatedWords(device, true, 0.3, locale), told.back());
+    // The movement that was too hard is called by its name.
+    QVERIFY(words("peak_force", Handling::pull).contains(QStringLiteral("pulled")));
+    QVERIFY(words("peak_force", Handling::press).contains(QStringLiteral("pressed too hard")));
+    QVERIFY(words("peak_force", Handling::lift).contains(QStringLiteral("onto the table")));
+    // A force is named only where it was too small, and letting go only where something was held.
+    for (const Handling handling : {Handling::press, Handling::stroke, Handling::pull, Handling::lift})
+        for (const Missed missed : {Missed::none, Missed::never, Missed::tooLight, Missed::held}) {
+            const QString said = words("untouched", handling, missed);
+            QCOMPARE(said.contains(QStringLiteral("0.3 N")),
+                     missed == Missed::tooLight && handling != Handling::lift);
+            QCOMPARE(said.contains(QStringLiteral("still holding")), missed == Missed::held);
+            QCOMPARE(said.contains(QStringLiteral("lift")), handling == Handling::lift);
+        }
+}
+
+/// Whoever lifts an object and never lets go of it reads that, in practice as well, and not that a force was
+/// too small; whoever touches nothing reads that.
+void TestParticipantPage::theReasonThatHeldIsTold() {
+    using Missed = session::LiveStudyView::Missed;
+    for (const bool holds : {true, false}) {
+        prepareMass(holds ? "mass_held" : "mass_never", [](psychophysics::StudyDesign& design) {
+            design.trial.mustTouchAll = true;
+            design.trial.probeAtLeast_N = 0.3;
+            design.trial.exploreLimit_s = 5.0;
+            design.trial.practiceTrials = 1;
+        });
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen && tests::beginTrials(screen));
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+        session::LiveSitting& live = *screen->live();
+        QVERIFY(live.view().practice);
+        if (holds)
+            QVERIFY(reach(live, -0.02, 0.050) && reach(live, -0.02, 0.031) && reach(live, -0.02, 0.045));
+        QTRY_COMPARE_WITH_TIMEOUT(live.view().unanswered, std::string("untouched"), kPatience_ms);
+        QVERIFY(live.view().missed == (holds ? Missed::held : Missed::never));
+        QTRY_COMPARE_WITH_TIMEOUT(
+            said(screen, "trials.repeated"),
+            holds ? QStringLiteral("The time ended while you were still holding an object: put it down and "
+                                   "let go of it to lift the next one. This practice trial comes again.")
+                  : QStringLiteral("The time ended before every object was lifted. This practice trial comes "
+                                   "again."),
+            kPatience_ms);
+        QVERIFY(!said(screen, "answer.why").contains(QStringLiteral("Lift the tool off")));
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+}
+
+/// Practice asks for Next and offers to take back; the page after it says that the trials that count do not.
+/// Without practice, the page after the free minute does.
+void TestParticipantPage::howTrialsGoOnIsSaidBeforeTheyCount() {
+    prepare("no_practice", [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 0; });
+    desktop::TrialsScreen* screen = sit(true, 1.0);
+    QVERIFY(screen && tests::pastTheCard(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The free minute is over"),
+                              kPatience_ms);
+    QString text = said(screen, "break.text");
+    QVERIFY2(text.contains(QStringLiteral("next trial comes by itself")) &&
+                 text.contains(QStringLiteral("no answer can be taken back")) &&
+                 !text.contains(QStringLiteral("ractice")),
+             qPrintable(text));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    prepareMass("after_practice",
+                [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
+    screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    press(Qt::Key_2);
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().mayTakeBack, kPatience_ms);
+    QVERIFY(pressUntil(Qt::Key_Return, [&] { return screen->live()->view().state == State::practised; }));
+    QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("Practice is over"), kPatience_ms);
+    text = said(screen, "break.text");
+    QVERIFY2(text.contains(QStringLiteral("Unlike in practice, the next trial comes by itself")) &&
+                 text.contains(QStringLiteral("no answer can be taken back")),
+             qPrintable(text));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// Nobody is told that Esc stops a force where there is none.
+void TestParticipantPage::stopWordsFollowTheDevice() {
+    using namespace psychophysics;
+    const auto keys = [](bool felt) {
+        return desktop::studyKeys(Task::twoAfc, Attribute::mass, desktop::StudyHand{true, felt});
+    };
+    QVERIFY2(keys(true).contains(QStringLiteral("Esc stops force")), qPrintable(keys(true)));
+    QVERIFY2(keys(false).contains(QStringLiteral("Esc stops the trial")) &&
+                 !keys(false).contains(QStringLiteral("force")),
+             qPrintable(keys(false)));
+    prepare("stop_words");
+    desktop::TrialsScreen* screen = sit(); // with mouse and keyboard
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    for (const QString& text : {screen->help(), tests::sittingButton(screen, "trials.stop")->toolTip()})
+        QVERIFY2(!text.contains(QStringLiteral("force")), qPrintable(text));
+    for (const desktop::ScreenCommand& command : screen->commands())
+        QVERIFY2(!command.text.contains(QStringLiteral("force")), qPrintable(command.text));
+    press(Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The trial is stopped"),
+                              kPatience_ms);
+    QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
 /// Every page on which nothing else is to be done, from the instructions to the first trial that counts.
@@ -735,6 +1136,32 @@ void TestParticipantPage::whatTheStationDoesIsSaid() {
     psychophysics::Condition pad = tube;
     pad.stimulus.attribute = psychophysics::Attribute::friction;
     QVERIFY(desktop::sittingSentences(design, pad, false, locale).startsWith(QStringLiteral("Press")));
+    // Whoever consents reads the same limits, and how hard the device can push.
+    const QString english = QStringLiteral("en");
+    for (const desktop::StudyDevice& device :
+         {desktop::StudyDevice{}, desktop::StudyDevice{true, 3.25}, desktop::StudyDevice{true, {}}}) {
+        const QString told = desktop::forceSentences(design, device, english).join(u' ');
+        QVERIFY2(told.endsWith(desktop::limitSentences(design, english).join(u' ')) && told.contains(silent),
+                 qPrintable(told));
+        QCOMPARE(told.contains(QStringLiteral("renders no force")), !device.rendersForce);
+        QCOMPARE(told.contains(QStringLiteral("at most 3.25\u00a0N")), device.largestForce_N.has_value());
+    }
+    // Nobody is told to touch what is lifted.
+    psychophysics::StudyDesign masses = design;
+    masses.trial.mustTouchAll = true;
+    masses.trial.probeAtLeast_N = 0.3;
+    for (psychophysics::Condition& condition : masses.conditions) {
+        condition.stimulus.attribute = psychophysics::Attribute::mass;
+        condition.task = psychophysics::Task::twoAfc;
+    }
+    const QString lifts = desktop::participantSentences(masses, english).join(u' ');
+    QVERIFY2(lifts.contains(QStringLiteral("Lift every object")) && !lifts.contains(QStringLiteral("ouch")) &&
+                 !lifts.contains(QStringLiteral("graze")),
+             qPrintable(lifts));
+    masses.conditions.front().stimulus.attribute = psychophysics::Attribute::friction;
+    QVERIFY(desktop::participantSentences(masses, english)
+                .join(u' ')
+                .contains(QStringLiteral("Explore every object before you answer")));
     QVERIFY(!desktop::participantSentences(design, QStringLiteral("en"))
                  .join(QLatin1Char(' '))
                  .contains(QStringLiteral("noise")));
@@ -800,7 +1227,7 @@ void TestParticipantPage::aSessionThatEndsByItselfIsTold() {
     QVERIFY(!qobject_cast<QAbstractButton*>(m_site->window->focusWidget())); // no key presses anything
     const auto* note = screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"));
     QVERIFY2(note->text().contains(QStringLiteral("ended by itself")) &&
-                 note->text().contains(QStringLiteral("All answered trials are kept")),
+                 note->text().contains(QStringLiteral("All answers given so far are kept")),
              qPrintable(note->text()));
     QVERIFY(tests::stopSitting(*m_site, screen));
 }

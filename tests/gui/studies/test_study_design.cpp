@@ -18,6 +18,8 @@
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/study_run/trials_screen.h"
+#include "desktop/widgets/scroll_page.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "psychophysics/procedures/procedure_kind.h"
 #include "support/every_place.h"
 #include "support/languages.h"
@@ -69,6 +71,11 @@ private slots:
     void aCopyOfAFrozenStudy();
     void titlesOfCopies();
     void aTemplateIsFoundByWords();
+    void templatesAreFoundByWhatPeopleCallThem_data();
+    void templatesAreFoundByWhatPeopleCallThem();
+    void twoConditionsInTwoActions();
+    void trialsAreCountedByCondition();
+    void whatIsMissingIsLedTo();
     void aSuggestedTitleIsTypedOver();
     void arrowKeysKeepTheTemplateInSight();
     void focusStaysWithThePage();
@@ -87,6 +94,9 @@ private slots:
     void stepsOfAStaircase();
     void faultsStandAtTheirFields();
     void aFaultOfAnotherConditionIsShown();
+    void whatIsWrongTakesNoRoomBefore();
+    void theLengthOfARunIsFoundUnderTrials();
+    void aCopySaysInWhatItDiffers();
     void whatWasJustMadeWrongIsNotFrozen();
     void aReferenceTakesNobodysName();
     void aTableOfNumbersIsPasted();
@@ -348,10 +358,6 @@ void TestStudyDesign::fromNothingToFrozen() {
 
 void TestStudyDesign::aCopyOfAFrozenStudy() {
     const psychophysics::StudyDesign original = design();
-    const auto keepsRoomForFaults = [this] {
-        return find<QWidget>("study.faults")->sizePolicy().retainSizeWhenHidden();
-    };
-    QVERIFY(!keepsRoomForFaults()); // nothing in it can be wrong any more
     click("study.copy");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
@@ -369,7 +375,6 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().instructions, original.instructions);
     QVERIFY(design().ethics.empty()); // an approval is of one study
-    QVERIFY(keepsRoomForFaults());
     QVERIFY(find<QLineEdit>("design.title") && !find<QLineEdit>("design.title")->isReadOnly());
     // And from the list.
     m_site->go(QStringLiteral("studies"), {{QStringLiteral("study"), qlonglong(m_study)}});
@@ -448,6 +453,122 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
     QCOMPARE(title->text(), QStringLiteral("Mine"));
     QVERIFY(!shown<QPushButton>("new_study.template.stiffness_2afc"));
     click("new_study.cancel");
+}
+
+void TestStudyDesign::templatesAreFoundByWhatPeopleCallThem_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("found");
+    const auto row = [](const char* typed, const char* found) {
+        QTest::newRow(typed) << QString::fromUtf8(typed) << QString::fromUtf8(found);
+    };
+    row("2AFC", "stiffness_2afc");
+    row("2-AFC", "stiffness_2afc");
+    row("two-alternative forced choice", "stiffness_2afc");
+    row("2AFC two conditions", "stiffness_2afc_two_tubes");
+    row("2 conditions", "stiffness_2afc_two_tubes");
+    row("two attributes", "stiffness_and_mass_2afc");
+    row("weight", "mass");
+    row("softness", "stiffness_elastic_tube");
+    row("texture", "roughness");
+    row("Watson", "stiffness_2afc");
+    row("Stevens", "stiffness_magnitude");
+    row("Fechner", "stiffness_adjustment");
+}
+
+void TestStudyDesign::templatesAreFoundByWhatPeopleCallThem() {
+    QFETCH(QString, typed);
+    QFETCH(QString, found);
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
+    click("studies.new");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("new_study.template.new_rank3"), kPatience_ms);
+    m_site->find<QLineEdit>(QStringLiteral("new_study.filter"))->setText(typed);
+    QVERIFY(shown<QPushButton>(qPrintable(QStringLiteral("new_study.template.%1").arg(found))));
+    QVERIFY(!shown<QPushButton>("new_study.template.apex")); // none of these words is about it
+    click("new_study.cancel");
+}
+
+/// The words, and Enter; then only a name is wanted, and what keeps the button grey stands beside it.
+void TestStudyDesign::twoConditionsInTwoActions() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
+    click("studies.new");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("new_study.template.new_rank3"), kPatience_ms);
+    const auto* accept = m_site->find<QPushButton>(QStringLiteral("new_study.accept"));
+    const auto* why = m_site->find<QLabel>(QStringLiteral("new_study.why_not"));
+    QVERIFY(!accept->isEnabled() && why && why->isVisible() && !why->text().isEmpty());
+    m_actions = 0;
+    type("new_study.filter", QStringLiteral("2afc two conditions"));
+    enter("new_study.filter");
+    QCOMPARE(m_actions, 2);
+    auto* tile = m_site->find<QAbstractButton>(QStringLiteral("new_study.template.stiffness_2afc_two_tubes"));
+    QVERIFY(tile->isChecked() && accept->isEnabled() && !why->isVisible());
+    QVERIFY(tile->accessibleDescription().contains(QStringLiteral("Tube of 120 N/m")));
+    click("new_study.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("design.ethics"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QCOMPARE(design().conditions.size(), std::size_t{2});
+    QTRY_VERIFY2_WITH_TIMEOUT(inFocus("design.ethics"), "begins where something is needed", kPatience_ms);
+    type("design.ethics", QStringLiteral("Ethics committee, 17/2026"));
+    QVERIFY(saved());
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.missing").isEmpty(), kPatience_ms); // nothing else is needed
+}
+
+void TestStudyDesign::trialsAreCountedByCondition() {
+    psychophysics::StudyDesign two = desktop::plainStudy(psychophysics::Task::twoAfc);
+    two.id = "counted";
+    two.trial.practiceTrials = 0;
+    two.conditions.front().scale = psychophysics::ProcedureScale::difference;
+    psychophysics::ProcedureSpec& first = two.conditions.front().procedures.front();
+    const std::vector<double> table = two.conditions.front().stimulus.differences;
+    first = psychophysics::ConstantSpec{{table[20], table[30]}, 6, true};
+    two.conditions.push_back(two.conditions.front());
+    two.conditions.back().id = "other";
+    two.conditions.back().title = {{"en", "Other"}};
+    two.conditions.back().procedures.push_back(two.conditions.back().procedures.front()); // interleaved
+    openDraft(two, StudyScreen::conditionsTab);
+    QCOMPARE(text("study.card.trials"), QStringLiteral("36 in all (by condition: 12, 24)"));
+    click("conditions.1");
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QLabel>("conditions.interleaved"), kPatience_ms);
+    QVERIFY2(text("conditions.interleaved").contains(QStringLiteral("at most 24 trials")),
+             qPrintable(text("conditions.interleaved")));
+}
+
+/// On every page stands what freezing still needs; the last one leads to it, and freezes when it is there.
+void TestStudyDesign::whatIsMissingIsLedTo() {
+    psychophysics::StudyDesign plain = desktop::plainStudy();
+    plain.id = "led";
+    openDraft(plain, StudyScreen::conditionsTab);
+    QVERIFY2(text("study.missing").contains(QStringLiteral("Aim, Ethics")),
+             qPrintable(text("study.missing")));
+    QVERIFY(shown<QPushButton>("study.next")->text().contains(QStringLiteral("Trials")));
+    const auto* page = m_site->window->screen()->findChild<desktop::ScrollPage*>();
+    QVERIFY(page && !page->isAncestorOf(shown<QPushButton>("study.next"))); // nobody scrolls to it
+    screen()->showTab(StudyScreen::checkTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("study.next")->text().contains(QStringLiteral("Aim")),
+                             kPatience_ms);
+    click("study.next");
+    QTRY_VERIFY_WITH_TIMEOUT(inFocus("design.objective"), kPatience_ms);
+    type("design.objective", QStringLiteral("Whether it works."));
+    type("design.ethics", QStringLiteral("Not needed: the authors try it themselves."));
+    QVERIFY(saved());
+    screen()->showTab(StudyScreen::checkTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("study.next")->text().contains(QStringLiteral("Freeze")),
+                             kPatience_ms);
+    click("study.next");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
+    const auto* accept = m_site->find<QPushButton>(QStringLiteral("freeze.accept"));
+    const auto* list = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<desktop::CheckList*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
+    const auto* why = m_site->find<QLabel>(QStringLiteral("freeze.why_not"));
+    QVERIFY(!accept->isEnabled() && why && why->isVisible());
+    QVERIFY2(why->text().contains(QStringLiteral("Tick the box")), qPrintable(why->text()));
+    QCOMPARE(accept->accessibleDescription(), why->text());
+    click("freeze.seen");
+    QVERIFY(accept->isEnabled() && !why->isVisible());
+    click("freeze.cancel");
 }
 
 /// Also by somebody who clicks into the title, which has the focus already; the next click places the cursor.
@@ -784,10 +905,11 @@ void TestStudyDesign::theSummaryIsAlwaysTrue() {
     QVERIFY(text("study.state").contains(QStringLiteral("saving")) ||
             text("study.state").contains(QStringLiteral("saved")));
     screen()->showTab(StudyScreen::trialsTab);
-    QCOMPARE(text("study.card.trials"), QStringLiteral("at most 80"));
+    QCOMPARE(text("study.card.trials"), QStringLiteral("at most 40 in each condition, 80 in all"));
     QCOMPARE(text("study.card.feedback"), QStringLiteral("none"));
     type("trial.practice_trials", QStringLiteral("3"));
-    QCOMPARE(text("study.card.trials"), QStringLiteral("at most 80, and 6 for practice"));
+    QCOMPARE(text("study.card.trials"),
+             QStringLiteral("at most 40 in each condition, 80 in all, and 6 for practice"));
     type("trial.explore_limit", QStringLiteral("45"));
     QVERIFY(text("study.card.time").contains(QStringLiteral("45 s to explore")));
     type("trial.break_every", QStringLiteral("10"));
@@ -1072,6 +1194,104 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QVERIFY(saved());
 }
 
+/// No empty strip is kept below the names of the pages, and nothing of a page moves when a fault is told.
+void TestStudyDesign::whatIsWrongTakesNoRoomBefore() {
+    openDraft(tests::smallStudy("no_strip"), StudyScreen::conditionsTab);
+    const auto top = [this](const QWidget* part) { return part->mapTo(screen(), QPoint()).y(); };
+    const auto* tabs = find<QTabBar>("study.tabs");
+    const auto* page = screen()->findChild<desktop::ConditionsPage*>();
+    const auto* button = find<QPushButton>("conditions.copy");
+    QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->width() > 0, kPatience_ms);
+    QCoreApplication::processEvents();
+    const int strip_px = top(page) - top(tabs) - tabs->height();
+    QVERIFY2(strip_px >= 0 && strip_px < tabs->height() / 2, qPrintable(QString::number(strip_px)));
+    const int before = top(button);
+    screen()->draft().change(
+        {}, {}, [](psychophysics::StudyDesign& study) { study.conditions[1].stimulus.reference = -1.0; });
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
+    QVERIFY(find<QWidget>("study.faults")->isVisible() &&
+            !find<QWidget>("study.faults")->accessibleName().isEmpty());
+    QCoreApplication::processEvents();
+    QCOMPARE(top(find<QPushButton>("conditions.copy")), before);
+    click("study.undo");
+    QVERIFY(saved());
+}
+
+/// People look for the number of trials there, and each line leads to the field of its condition.
+void TestStudyDesign::theLengthOfARunIsFoundUnderTrials() {
+    psychophysics::StudyDesign study = tests::smallStudy("length");
+    std::get<psychophysics::Rank3Spec>(study.conditions[0].procedures[0]).stop.trials = 31;
+    openDraft(study, StudyScreen::trialsTab);
+    const auto line = [this](int at) {
+        return find<QLabel>(qPrintable(QStringLiteral("length.%1").arg(at)))->text();
+    };
+    QVERIFY2(line(0).contains(QStringLiteral("at most 31 trials")), qPrintable(line(0)));
+    QCOMPARE(screen()->findChildren<QLabel*>(QRegularExpression(QStringLiteral("^length\\.\\d+$"))).size(),
+             qsizetype(study.conditions.size()));
+    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& changed) {
+        std::get<psychophysics::Rank3Spec>(changed.conditions[0].procedures[0]).stop.trials = 44;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(line(0).contains(QStringLiteral("at most 44 trials")), kPatience_ms);
+    for (const int at : {1, 0}) {
+        screen()->showTab(StudyScreen::trialsTab);
+        QCoreApplication::processEvents();
+        click(qPrintable(QStringLiteral("length.change.%1").arg(at)));
+        QTRY_COMPARE_WITH_TIMEOUT(find<QTabBar>("study.tabs")->currentIndex(),
+                                  int(StudyScreen::conditionsTab), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(screen()->findChild<desktop::ConditionsPage*>()->shown(), at, kPatience_ms);
+        const auto focused = [this] {
+            const QWidget* focus = m_site->window->focusWidget();
+            return focus ? focus->objectName() : QString();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(focused().startsWith(QStringLiteral("procedure.0.")), kPatience_ms);
+    }
+    QVERIFY(inFocus("procedure.0.trials"));
+    QVERIFY(saved());
+}
+
+/// Once the reference of a copied condition differs, both names tell it, in each language; a name that
+/// somebody typed stays.
+void TestStudyDesign::aCopySaysInWhatItDiffers() {
+    const auto titled = [this](const char* words) { // the page is made anew for another condition
+        const auto* title = shown<QLineEdit>("condition.title");
+        return title && title->text() == QLatin1String(words);
+    };
+    psychophysics::StudyDesign study = tests::smallStudy("mass_names");
+    study.conditions.resize(1);
+    psychophysics::Condition& mass = study.conditions.front();
+    mass.id = "mass";
+    mass.title = {{"en", "Mass"}, {"de", "Masse"}};
+    mass.stimulus.attribute = psychophysics::Attribute::mass;
+    mass.stimulus.reference = 0.05;
+    openDraft(study, StudyScreen::conditionsTab);
+    click("conditions.copy");
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(titled("Mass (2)"), kPatience_ms);
+    type("condition.reference", QStringLiteral("100"));
+    QCOMPARE(design().conditions[1].stimulus.reference, 0.1);
+    QCOMPARE(design().conditions[1].title.at("en"), std::string("Mass, 100 g"));
+    QCOMPARE(design().conditions[1].title.at("de"), std::string("Masse, 100 g"));
+    QCOMPARE(design().conditions[0].title.at("en"), std::string("Mass, 50 g"));
+    QCOMPARE(design().conditions[0].title.at("de"), std::string("Masse, 50 g"));
+    QCOMPARE(design().conditions[1].id, std::string("mass_100_g"));
+    QTRY_VERIFY_WITH_TIMEOUT(titled("Mass, 100 g"), kPatience_ms);
+    type("condition.reference", QStringLiteral("120")); // and follows it from then on
+    QCOMPARE(design().conditions[1].title.at("en"), std::string("Mass, 120 g"));
+    click("study.undo");
+    QVERIFY(saved());
+    psychophysics::StudyDesign typed = tests::smallStudy("mass_names_typed");
+    typed.conditions = study.conditions;
+    openDraft(typed, StudyScreen::conditionsTab);
+    type("condition.title", QStringLiteral("Weights"));
+    click("conditions.copy");
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(titled("Weights (2)"), kPatience_ms);
+    type("condition.reference", QStringLiteral("100"));
+    QCOMPARE(design().conditions[0].title.at("en"), std::string("Weights"));
+    QCOMPARE(design().conditions[1].title.at("en"), std::string("Weights, 100 g"));
+    QVERIFY(saved());
+}
+
 /// On the page that is open already, the first condition is found from the second.
 void TestStudyDesign::aFaultOfAnotherConditionIsShown() {
     openDraft(tests::smallStudy("first_wrong"), StudyScreen::conditionsTab);
@@ -1154,7 +1374,7 @@ void TestStudyDesign::aTableOfNumbersIsPasted() {
              std::size_t{41}); // nothing of it is taken
     QGuiApplication::clipboard()->setText(QStringLiteral("-120\n5"));
     click("differences.levels.paste");
-    QVERIFY2(faultAt("differences.levels").contains(QStringLiteral("less than nothing")) &&
+    QVERIFY2(faultAt("differences.levels").contains(QStringLiteral("below zero")) &&
                  faultAt("differences.levels").contains(QStringLiteral("120 %")) &&
                  !faultAt("differences.levels").contains(QStringLiteral("-120")),
              qPrintable(faultAt("differences.levels")));
@@ -1281,6 +1501,9 @@ void TestStudyDesign::placeholdersAreNotFrozen() {
             m_site->find<QWidget>(QStringLiteral("freeze.cannot"))->isVisible());
     QVERIFY(!m_site->find<QCheckBox>(QStringLiteral("freeze.seen"))
                  ->isVisible()); // no word makes up for what is missing
+    const auto* why = m_site->find<QLabel>(QStringLiteral("freeze.why_not"));
+    QVERIFY(why && why->isVisible());
+    QVERIFY2(why->text().contains(QStringLiteral("Aim, Ethics")), qPrintable(why->text()));
     auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))
                    ->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
     QVERIFY(go);
@@ -1314,7 +1537,7 @@ void TestStudyDesign::aPreviewThatIsLeftIsTold() {
     connect(&m_site->context.messages(), &desktop::Messages::told, &hears,
             [&told](const desktop::Message& message) { told << message.text; });
     const auto stopped = [&told] {
-        return told.join(QLatin1Char('|')).contains(QStringLiteral("The preview was stopped"));
+        return told.join(QLatin1Char('|')).contains(QStringLiteral("The simulation was stopped"));
     };
     openDraft(tests::smallStudy("left_preview"), StudyScreen::previewTab);
     QTRY_VERIFY_WITH_TIMEOUT(shown<QSpinBox>("preview.runs"), kPatience_ms);

@@ -4,12 +4,14 @@
 #include "catalogue/study_json.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/questionnaire/questionnaire_form.h"
+#include "desktop/studies/attribute_names.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/levels_table.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/number_list.h"
+#include "desktop/studies/participant_card.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/quantity_text.h"
@@ -38,6 +40,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <qcustomplot.h>
+#include <set>
 
 #include <qcustomplot.h>
 
@@ -59,6 +62,7 @@ private slots:
     void neighboursReadDifferently();
     void aTableOfLevelsTellsItsObjectsApart();
     void shortNamesAreMadeOfTitles();
+    void namesFollowTheAttribute();
     void theUsualConsentIsNotShort();
     void rangesOfProceduresAreThoseThatAreTaken_data();
     void rangesOfProceduresAreThoseThatAreTaken();
@@ -72,7 +76,9 @@ private slots:
     void theLineOfLettingGoStandsAtItsHeight();
     void quantitiesAreReadWithTheirUnits();
     void whatIsTypedIsTakenOrTold();
+    void anEmptiedFieldIsNoZero();
     void soundAndForceAreCheckedBeforeFreezing();
+    void whatIsToldBeforeFreezingSaysOfWhat();
     void aHeavyObjectIsAdvisedAgainst();
     void runsWithoutValuesAreToldBeforeFreezing();
 
@@ -433,6 +439,7 @@ void TestStudyParts::aTableOfLevelsTellsItsObjectsApart() {
         [&](const std::vector<double>& of) { return desktop::objectsOf(stimulus, of, m_locale); });
     auto* table = levels.findChild<QTableWidget*>(QStringLiteral("levels.table"));
     QVERIFY(table && table->rowCount() == 41);
+    QVERIFY(table->accessibleName().contains(QStringLiteral("per cent")));
     for (int row = 1; row < table->rowCount(); ++row)
         for (int column : {0, 1})
             QVERIFY2(table->item(row, column)->text() != table->item(row - 1, column)->text(),
@@ -466,6 +473,46 @@ void TestStudyParts::shortNamesAreMadeOfTitles() {
 }
 
 /// What a new study begins with is what the templates have; a line is still told to be short.
+/// Of the program's own names; what somebody typed, and what nobody could have made, stays.
+void TestStudyParts::namesFollowTheAttribute() {
+    using psychophysics::Attribute;
+    std::set<std::string> typed;
+    const auto changed = [&typed](psychophysics::StudyDesign design, std::size_t at, Attribute attribute) {
+        const psychophysics::StimulusDesign before = design.conditions[at].stimulus;
+        desktop::takeAttribute(design.conditions[at], attribute);
+        desktop::nameByAttribute(design, at, before.attribute, before.reference,
+                                 [&typed](const std::string& name) { return typed.contains(name); });
+        return design;
+    };
+    psychophysics::StudyDesign design = desktop::plainStudy();
+    const auto named = [](const psychophysics::Condition& condition) {
+        return condition.title.at("en") + " | " + condition.id;
+    };
+    QCOMPARE(named(changed(design, 0, Attribute::mass).conditions[0]), std::string("Mass | mass"));
+    QCOMPARE(changed(design, 0, Attribute::mass).title, design.title); // it tells no attribute
+    typed = {"Stiffness"};
+    QCOMPARE(named(changed(design, 0, Attribute::mass).conditions[0]), std::string("Stiffness | stiffness"));
+    typed.clear();
+    design.conditions[0].title = {{"en", "Soft and wet"}};
+    QCOMPARE(changed(design, 0, Attribute::mass).conditions[0].title, design.conditions[0].title);
+
+    const auto templates = catalogue::StudyCatalogue::load();
+    QVERIFY(templates && templates->find("stiffness_2afc_two_tubes"));
+    design = *templates->find("stiffness_2afc_two_tubes");
+    psychophysics::StudyDesign after = changed(design, 0, Attribute::mass);
+    QCOMPARE(named(after.conditions[0]), std::string("Mass of 100 g | mass_of_100_g"));
+    QCOMPARE(after.conditions[0].title.size(), std::size_t{1}); // no German tube of some mass
+    QCOMPARE(after.conditions[1].title, design.conditions[1].title);
+    QCOMPARE(after.title, design.title); // the other condition is still about stiffness
+    after = changed(after, 1, Attribute::mass);
+    QCOMPARE(named(after.conditions[1]), std::string("Mass of 100 g (2) | mass_of_100_g_2"));
+    QCOMPARE(after.title.at("en"), std::string("Mass, two alternatives"));
+    typed = {design.title.at("en"), design.conditions[0].id};
+    after = changed(changed(design, 0, Attribute::mass), 1, Attribute::mass);
+    QCOMPARE(after.title, design.title);
+    QCOMPARE(named(after.conditions[0]), std::string("Mass of 100 g | tube_60"));
+}
+
 void TestStudyParts::theUsualConsentIsNotShort() {
     psychophysics::StudyDesign design = desktop::plainStudy();
     const auto templates = catalogue::StudyCatalogue::load();
@@ -585,6 +632,37 @@ void TestStudyParts::quantitiesAreReadWithTheirUnits() {
 
 /// A unit of the same dimension is converted and shown; anything else is told at the field, which keeps what
 /// it had.
+void TestStudyParts::anEmptiedFieldIsNoZero() {
+    QWidget page;
+    auto* column = new QVBoxLayout(&page);
+    auto* grid = new desktop::FieldGrid(m_theme, m_locale, false);
+    double reference = 60.0, limit = 8.0;
+    auto* plain = grid->number(QStringLiteral("Reference"), QStringLiteral("reference"), reference,
+                               {0, 1e9, 4, QStringLiteral("N/m"), 1}, [&](double now) { reference = now; });
+    auto* special = grid->number(QStringLiteral("Limit"), QStringLiteral("limit"), limit,
+                                 {0, 100, 1, QStringLiteral("s"), 1, QStringLiteral("no limit")},
+                                 [&](double now) { limit = now; });
+    column->addWidget(grid);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    for (QDoubleSpinBox* field : {plain, special}) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClick(field, Qt::Key_Delete);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    QCOMPARE(reference, 60.0);
+    QCOMPARE(limit, 8.0);
+    QCOMPARE(plain->text(), QStringLiteral("60 N/m"));
+    special->setFocus();
+    special->selectAll();
+    QTest::keyClicks(special, QStringLiteral("no limit"));
+    QTest::keyClick(special, Qt::Key_Return);
+    QCOMPARE(limit, 0.0);
+    QCOMPARE(special->text(), QStringLiteral("no limit"));
+    QVERIFY(grid->faultOf(QStringLiteral("limit")).isEmpty());
+}
+
 void TestStudyParts::whatIsTypedIsTakenOrTold() {
     QWidget page;
     auto* column = new QVBoxLayout(&page);
@@ -706,6 +784,40 @@ void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
             QVERIFY2(each.words.contains(QStringLiteral("left out of groups and comparisons")) &&
                          each.tab < 0,
                      qPrintable(each.words));
+}
+
+/// A duration is an expectation, and tells what it rests on; a ratio is one of Weber fractions; and what is
+/// lifted need not be pressed.
+void TestStudyParts::whatIsToldBeforeFreezingSaysOfWhat() {
+    psychophysics::StudyDesign design = tests::smallStudy("says_of_what");
+    desktop::FreezeFacts facts;
+    const auto words = [&](const char* name) {
+        for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, facts, m_locale))
+            if (each.name == QLatin1String(name))
+                return each.words;
+        return QString();
+    };
+    const QString duration = desktop::durationWords(design, m_locale);
+    QVERIFY2(duration.startsWith(QStringLiteral("about ")) &&
+                 duration.contains(QStringLiteral("if each takes")) &&
+                 !duration.contains(QStringLiteral("at most")),
+             qPrintable(duration));
+    QVERIFY2(words("duration").contains(duration), qPrintable(words("duration")));
+    facts.plans.emplace(design.conditions.size());
+    for (psychophysics::ConditionPlan& plan : *facts.plans)
+        plan.sdLog10 = plan.sdError = 0.02;
+    design.participantsPlanned = 12;
+    QVERIFY2(words("precision").contains(QStringLiteral("With 12 participants")) &&
+                 words("precision").contains(QStringLiteral("Weber fraction of one is at least")) &&
+                 words("precision").contains(QStringLiteral("80 % power")),
+             qPrintable(words("precision")));
+    design.trial.mustTouchAll = true;
+    design.trial.probeAtLeast_N = 0.3;
+    QVERIFY(words("probe").contains(QStringLiteral("0.3 N")));
+    for (psychophysics::Condition& condition : design.conditions)
+        condition.stimulus.attribute = psychophysics::Attribute::mass;
+    QVERIFY2(words("probe").contains(QStringLiteral("lifted")) && !words("probe").contains(u'N'),
+             qPrintable(words("probe")));
 }
 
 /// Whoever merely holds it would be told that they pull too hard.

@@ -6,6 +6,7 @@
 #include "desktop/studies/study_device.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_data/person_page.h"
+#include "desktop/study_data/ranking_box.h"
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
@@ -21,6 +22,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSlider>
 #include <QTabBar>
@@ -42,6 +44,7 @@ private slots:
     }
     void cleanupTestCase() { m_site.reset(); }
     void emptyStates();
+    void intervalsOfRankingsRise();
     void draftFromPlain();
     void changedUndoneAndKept();
     void faultsAreSaid();
@@ -62,6 +65,8 @@ private slots:
     void whoWaitsComesBeforeTheNext();
     void whoHasOnlyQuestionsLeftIsAskedThem();
     void nobodyIsSentBackAndForth();
+    void whoeverComesNextIsSaidAndSelected();
+    void withdrawingSaysWhatIsKeptAndWhatCounts();
     void archivedWithUndo();
 
 private:
@@ -86,6 +91,36 @@ private:
     database::StudyNumber m_study = 0, m_data = 0;
     QString m_code;
 };
+
+/// Of a person and of a group: the lower limit of an interval stands before the higher one.
+void TestStudyScreens::intervalsOfRankingsRise() {
+    const std::vector<psychophysics::SaidRanks> said{{1, 2, 3}, {1, 2, 3}, {1, 3, 2}, {2, 1, 3}, {1, 2, 3},
+                                                     {1, 2, 3}, {3, 1, 2}, {1, 2, 3}, {2, 3, 1}, {1, 2, 3}};
+    const QRegularExpression limits(QStringLiteral("95 %: (\\S+)(?: %)? … (\\S+)"));
+    int intervals = 0;
+    for (const auto of : {desktop::RankingBox::Of::person, desktop::RankingBox::Of::group}) {
+        const desktop::RankingBox box(
+            m_site->context,
+            of == desktop::RankingBox::Of::person
+                ? psychophysics::summariseRankings(said)
+                : psychophysics::summariseGroupRankings({{said.begin(), said.begin() + 2},
+                                                         {said.begin() + 2, said.begin() + 5},
+                                                         {said.begin() + 5, said.begin() + 7},
+                                                         {said.begin() + 7, said.end()}}),
+            of);
+        for (const QLabel* label : box.findChildren<QLabel*>()) {
+            const auto found = limits.match(label->text());
+            if (!found.hasMatch())
+                continue;
+            ++intervals;
+            const auto value = [](QString text) {
+                return text.replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+            };
+            QVERIFY2(value(found.captured(1)) < value(found.captured(2)), qPrintable(label->text()));
+        }
+    }
+    QVERIFY2(intervals >= 3, qPrintable(QString::number(intervals)));
+}
 
 void TestStudyScreens::emptyStates() {
     for (const char* screen : {"studies", "study_run", "study_data"}) {
@@ -217,6 +252,11 @@ void TestStudyScreens::theNewOneIsSelected() {
     click("enrol.consent"); // the next step
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")), kPatience_ms);
     QVERIFY(!text("consent.instructions").isEmpty()); // who agrees says that they have read them
+    QVERIFY2(text("consent.instructions").contains(QStringLiteral("free minute")),
+             qPrintable(text("consent.instructions"))); // as the screens of the run say
+    QVERIFY2(text("consent.force").contains(QStringLiteral("renders no force")) && // mouse and keyboard
+                 text("consent.force").contains(QStringLiteral("with more than 4\u00a0N")),
+             qPrintable(text("consent.force")));
     const auto* dialog = m_site->find<QDialog>(QStringLiteral("consent"));
     QVERIFY(dialog && dialog->width() >= m_site->window->width() &&
             dialog->height() >= m_site->window->height()); // what lies behind names conditions
@@ -768,6 +808,91 @@ void TestStudyScreens::nobodyIsSentBackAndForth() {
         QVERIFY(screen->findChild<QPushButton*>(QStringLiteral("run.questionnaire.validity")));
         QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("run.next")));
     }
+}
+
+/// By whoever comes back from a run or a questionnaire; somebody who was chosen on purpose stays.
+void TestStudyScreens::whoeverComesNextIsSaidAndSelected() {
+    const database::Actor rhea = m_site->context.actor();
+    psychophysics::StudyDesign design = tests::smallStudy("comes_next");
+    design.questionnaires.clear();
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    const auto done = tests::addParticipant(*m_site, rhea, number, design, "done");
+    const auto waits = tests::addParticipant(*m_site, rhea, number, design, "waits");
+    const QString first = QString::fromStdString(done.code), second = QString::fromStdString(waits.code);
+    const auto comeBack = [&](const QString& participant, bool ran) {
+        QVariantMap place{{QStringLiteral("study"), qlonglong(number)},
+                          {QStringLiteral("participant"), participant}};
+        if (ran)
+            place.insert(QStringLiteral("just_ran"), true);
+        go("study_run", place);
+    };
+    const auto selected = [this] {
+        return m_site->window->screen()
+            ->findChild<QComboBox*>(QStringLiteral("run.participant"))
+            ->currentData()
+            .toString();
+    };
+    const auto said = [this] {
+        return m_site->window->screen()->findChild<QLabel*>(QStringLiteral("run.who_is_next"))->text();
+    };
+    tests::addRun(*m_site, rhea, design, done, "stiffness", 0.1, 5);
+    comeBack(first, true); // there is another condition
+    QCOMPARE(selected(), first);
+    QVERIFY2(said().contains(first) && !said().contains(second), qPrintable(said()));
+    QVERIFY(m_site->window->screen()
+                ->findChild<QLabel*>(QStringLiteral("run.sequence"))
+                ->text()
+                .contains(QStringLiteral("free minute")));
+    tests::addRun(*m_site, rhea, design, done, "mass", 0.1, 5);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.completeParticipant(done.id); });
+    comeBack(first, false);
+    QCOMPARE(selected(), first);
+    QVERIFY2(said().contains(second), qPrintable(said()));
+    comeBack(first, true);
+    QCOMPARE(selected(), second);
+    QVERIFY2(said().contains(first + QStringLiteral(" has nothing left to do")) &&
+                 said().contains(second + QStringLiteral(" comes next and is selected")),
+             qPrintable(said()));
+    QVERIFY(m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("run.begin")));
+    for (const char* condition : {"stiffness", "mass"})
+        tests::addRun(*m_site, rhea, design, waits, condition, 0.1, 5);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.completeParticipant(waits.id); });
+    comeBack(second, true);
+    QCOMPARE(selected(), second); // nobody else is waiting
+    QVERIFY2(said().contains(QStringLiteral("Enrol the next participant")), qPrintable(said()));
+}
+
+/// Before somebody presses a button that cannot be undone.
+void TestStudyScreens::withdrawingSaysWhatIsKeptAndWhatCounts() {
+    const database::Actor rhea = m_site->context.actor();
+    const psychophysics::StudyDesign design = tests::smallStudy("withdrawing");
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea,
+                   [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    const auto leaves = tests::addParticipant(*m_site, rhea, number, design, "leaves");
+    go("study", {{QStringLiteral("study"), qlonglong(number)},
+                 {QStringLiteral("tab"), desktop::StudyScreen::participantsTab}});
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_site->find<QPushButton>(QStringLiteral("participants.withdraw")) &&
+            m_site->find<QPushButton>(QStringLiteral("participants.withdraw"))->isEnabled(),
+        kPatience_ms);
+    click("participants.withdraw");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("withdraw")), kPatience_ms);
+    QVERIFY(text("withdraw.when").contains(QStringLiteral("resumed under Run")));
+    QVERIFY(text("withdraw.kept").contains(QStringLiteral("everything that was recorded")));
+    QVERIFY(text("withdraw.counts").contains(QStringLiteral("left out of group values and comparisons")));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("withdraw.accept"))
+                ->text()
+                .contains(QString::fromStdString(leaves.code)));
+    click("withdraw.cancel");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QDialog>(QStringLiteral("withdraw")), kPatience_ms);
+    auto connection = m_site->database().openReader();
+    const auto participants = database::StudyReader(**connection, rhea).participants(number);
+    QVERIFY(participants && participants->front().state == database::ParticipantState::consented);
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.

@@ -93,13 +93,14 @@ void TestTextClaims::everyTemplateIsTrue() {
 /// Each title that holds a number is understood in all its languages: else the test above would say nothing.
 void TestTextClaims::anotherReferenceIsFoundInEveryTitle() {
     int found = 0;
-    for (StudyDesign design : m_templates)
+    for (const StudyDesign& design : m_templates)
         for (std::size_t i = 0; i < design.conditions.size(); ++i) {
             if (!QString::fromStdString(design.conditions[i].title.at("en"))
                      .contains(QRegularExpression(QStringLiteral("\\d"))))
                 continue;
-            design.conditions[i].stimulus.reference *= 2.0;
-            const auto claims = desktop::falseClaims(design, kEnglish);
+            StudyDesign changed = design;
+            changed.conditions[i].stimulus.reference *= 2.0;
+            const auto claims = desktop::falseClaims(changed, kEnglish);
             QVERIFY2(languagesOf(claims, FalseClaim::Where::title) == kAll, design.id.c_str());
             QCOMPARE(claims.front().condition, static_cast<int>(i));
             ++found;

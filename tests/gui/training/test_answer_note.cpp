@@ -70,12 +70,12 @@ QString saidBeside(const catalogue::ExerciseLevel& level, int trial, double x_m,
 
 constexpr QSize kScene(640, 360);
 
-std::vector<PaintedShape> painted(const SceneNote& note, double scale = 1.0) {
+std::vector<PaintedShape> painted(const SceneNote& note, double scale = 1.0, QSize room = kScene) {
     scene3d::SceneSetup setup;
     setup.scale = scale;
-    tests::PaintedShapes scene(kScene);
+    tests::PaintedShapes scene(room);
     QPainter painter(&scene);
-    scene3d::SceneNotePainter(setup).paint(painter, QRectF(QPointF(), kScene), 1.0, note);
+    scene3d::SceneNotePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0, note);
     painter.end();
     return scene.shapes();
 }
@@ -202,6 +202,28 @@ private slots:
             note.show(9'500'000'000, next);
             QVERIFY(!next.answered && !next.objectShown && !note.holdsNext(9'500'000'000));
         }
+    }
+
+    /// A level whose trials end in what was done with the object, and not in a mark, has no answer to draw.
+    void aDoneTaskHasNoAnswerInThePicture() {
+        int levels = 0;
+        for (const char* exercise : {"elastic_tube", "object_handling"})
+            for (const catalogue::ExerciseLevel& level : m_catalogue->find(exercise)->levels)
+                for (const std::uint32_t end : {bits::kMarked, bits::kTimedOut, bits::kCompleted}) {
+                    if (!level.feedback)
+                        continue;
+                    AnswerNote note = noteOf(level);
+                    note.take(stateAt(1.0, 0, core::TrialPhase::running), {});
+                    note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(end)});
+                    scene3d::SceneState drawn;
+                    note.show(1'100'000'000, drawn);
+                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown &&
+                                 !note.holdsNext(1'100'000'000),
+                             level.id.c_str());
+                    QVERIFY(note.note(1'100'000'000).kind == scene3d::SceneNote::Kind::said); // it is told
+                    ++levels;
+                }
+        QVERIFY(levels >= 6);
     }
 
     /// Every lump where it is, told whether it was found, and each mark whether it was right.
@@ -347,6 +369,33 @@ private slots:
         QVERIFY(note.note(5'000'000'001 + AnswerNote::kSaid_ns).kind == SceneNote::Kind::none);
         note.take(stateAt(6.0, 1, core::TrialPhase::running), std::array{sampleOf(bits::kTrialStarted)});
         QVERIFY(note.note(6'000'000'000).kind == SceneNote::Kind::none);
+    }
+
+    /// In the small scene that is left at 200 % (and in smaller ones) the sign gives way, then the size of
+    /// the title: no line is cut, and none lies on another.
+    void aVeilIsReadInASmallScene() {
+        using Kind = PaintedShape::Kind;
+        const SceneNote stopped{
+            SceneNote::Kind::stopped, QStringLiteral("Kraft ist gestoppt"),
+            QStringLiteral("Die Uhr steht. Drücken Sie „Freigeben“ oder R, um fortzufahren, oder beenden Sie "
+                           "die Sitzung mit der Schaltfläche daneben.")};
+        for (const QSize room : {QSize(640, 323), QSize(640, 288), QSize(520, 240), QSize(400, 200)}) {
+            const std::vector<PaintedShape> shapes = painted(stopped, 2.0, room);
+            QCOMPARE(tests::wordsIn(shapes).join(QLatin1Char(' ')).simplified(),
+                     stopped.title + QLatin1Char(' ') + stopped.words);
+            std::vector<QRectF> before;
+            for (const PaintedShape& shape : shapes) {
+                if (shape.kind != Kind::words)
+                    continue;
+                QVERIFY2(QRectF(QPointF(), room).contains(shape.bounds), qPrintable(shape.text));
+                for (const QRectF& other : before) {
+                    const QRectF both = shape.bounds.intersected(other);
+                    QVERIFY2(both.width() < 2.0 || both.height() < 0.5 * other.height(),
+                             qPrintable(shape.text));
+                }
+                before.push_back(shape.bounds);
+            }
+        }
     }
 
     /// A scene that stands still is dark all over, and a pause does not look like a stop; what is said leaves

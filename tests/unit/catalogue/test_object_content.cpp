@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
 #include "catalogue/named_content.h"
+#include "catalogue/tissue_content.h"
 #include "core/languages.h"
+#include "core/units.h"
 #include "support/content_copy.h"
 
 #include <QJsonDocument>
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 using namespace chiron::catalogue;
@@ -14,6 +17,7 @@ namespace {
 
 const QString kOvary = QStringLiteral("objects/ovary.json");
 const QString kDome = QStringLiteral("meshes/bumpy_dome.json");
+const QString kProstate = QStringLiteral("tissues/prostate.json");
 
 /// Parameters of a made-up kind: an object, and a mesh that has no default.
 const QByteArray kSchema = R"({
@@ -73,6 +77,9 @@ private slots:
     void givenNumbersGoOverTheNamedOnes();
     void faultsOfALevel_data();
     void faultsOfALevel();
+    void tissuesAreLoadedInSi();
+    void storedFaultsAreToldWithTheirPlace_data();
+    void storedFaultsAreToldWithTheirPlace();
     void storedNumbersNeedNoContent();
     void storedKeysOfNewerProgramsAreRefused();
     void storedMeshIsReadWhole();
@@ -158,6 +165,30 @@ void TestObjectContent::faultsOfAFile_data() {
     row("attributes no object", kOvary, "\"attributes\": {", "\"attributes\": [], \"x\": {",
         "$.attributes: an array of 0");
     row("unknown shape", kDome, "\"shape\": \"dome\"", "\"shape\": \"cube\"", "$.shape.shape: \"cube\"");
+    row("elevation without its height", kProstate,
+        "{\"x_mm\": -10, \"y_mm\": 0, \"radius_x_mm\": 20, \"radius_y_mm\": 26, \"height_mm\": 6}",
+        "{\"x_mm\": -10, \"y_mm\": 0, \"radius_x_mm\": 20, \"radius_y_mm\": 26}",
+        "$.properties.bumps[0].height_mm: missing");
+    row("elevation without a half axis", kProstate, "{\"x_mm\": -10, \"y_mm\": 0, \"radius_x_mm\": 20, ",
+        "{\"x_mm\": -10, \"y_mm\": 0, ", "$.properties.bumps[0].radius_x_mm: missing");
+    row("unknown key of an elevation", kProstate, "{\"x_mm\": -10,", "{\"x_cm\": -10,",
+        "$.properties.bumps[0].x_cm: unknown key");
+    row("too many layers", kProstate, "{\"name\": \"gland\", \"thickness_mm\": 40, \"modulus_kPa\": 17}",
+        "{\"name\": \"a\", \"modulus_kPa\": 17}, {\"name\": \"b\", \"modulus_kPa\": 17}, "
+        "{\"name\": \"c\", \"modulus_kPa\": 17}, {\"name\": \"d\", \"modulus_kPa\": 17}, "
+        "{\"name\": \"e\", \"modulus_kPa\": 17}",
+        "$.properties.layers");
+    row("layer without a modulus", kProstate, ", \"modulus_kPa\": 17", "",
+        "$.properties.layers[0].modulus_kPa: missing");
+    row("modulus out of range", kProstate, "\"modulus_kPa\": 17", "\"modulus_kPa\": 501",
+        "$.properties.layers[0].modulus_kPa: 501: expected a number, 0.5 to 500 kPa");
+    row("fibres turned too far", kProstate, "\"fibre_turn_deg\": 90", "\"fibre_turn_deg\": 181",
+        "$.properties.fibre_turn_deg: 181: expected a number, -180 to 180 deg");
+    row("unknown law", kProstate, "\"friction\": 0.15", "\"contact\": \"glued\"",
+        "$.properties.contact: \"glued\"");
+    row("too sharp a surface", kProstate, "\"radius_x_mm\": 20, \"radius_y_mm\": 26, \"height_mm\": 6",
+        "\"radius_x_mm\": 2, \"radius_y_mm\": 2, \"height_mm\": 6",
+        "$.properties.bumps: a surface that bends");
     row("bumps shorter than the mesh", kDome, "\"edge_mm\": 1.0", "\"edge_mm\": 2.5",
         "$.shape.bump_wavelength_mm: 8");
 }
@@ -239,6 +270,92 @@ void TestObjectContent::faultsOfALevel() {
     const Filled filled = fill(parameters);
     QVERIFY2(filled.told().contains(message), qPrintable(filled.told()));
     QCOMPARE(filled.problems.size(), std::size_t{1});
+}
+
+void TestObjectContent::tissuesAreLoadedInSi() {
+    Problems problems;
+    const QJsonObject json =
+        QJsonDocument::fromJson(R"({"tissue": "pad", "plane_height_mm": -4, "fibre_turn_deg": 30,
+            "bumps": [{"radius_x_mm": 20, "radius_y_mm": 26, "turn_deg": 33, "height_mm": 6}],
+            "layers": [{"name": "skin", "thickness_mm": 1.7, "modulus_kPa": 60.3},
+                       {"name": "fat", "modulus_kPa": 3}],
+            "damping_across_N_s_per_m": 3, "contact": "p3_recast", "lump_law": "stiffness_times_depth",
+            "distractors": [{"name": "rib", "x_mm": 7, "y_mm": -8, "radius_x_mm": 5, "radius_y_mm": 6,
+                             "gain": 0.7}]})")
+            .object();
+    const auto tissue = readTissue(ObjectReader(json, QStringLiteral("$"), problems));
+    QVERIFY(problems.empty());
+    QVERIFY(tissue.shape.planeHeight_m == -4 / 1000.0);
+    const double degree = core::kPi / 180.0; // angles of tissues are multiplied by it, to the bit
+    QVERIFY(tissue.fibreDirection == core::Vec3(std::cos(30 * degree), std::sin(30 * degree), 0.0));
+    QCOMPARE(tissue.shape.bumps.size(), std::size_t{1});
+    const auto& bump = tissue.shape.bumps[0];
+    QVERIFY(bump.centre_m == core::Vec2::Zero() && bump.radii_m == core::Vec2(20 / 1000.0, 26 / 1000.0));
+    QVERIFY(bump.turn_rad == 33 * degree && bump.height_m == 6 / 1000.0);
+    QCOMPARE(tissue.layers.size(), std::size_t{2}); // instead of the struct's own
+    QCOMPARE(tissue.layers[0].name, std::string("skin"));
+    QVERIFY(tissue.layers[0].thickness_m == 1.7 / 1000.0 && tissue.layers[0].modulus_Pa == 60.3 * 1000.0);
+    QCOMPARE(tissue.layers[1].thickness_m, 0.1);
+    QVERIFY(tissue.damping_Ns_per_m == core::Vec3(2.0, 3.0, 2.0));
+    QVERIFY(tissue.contact == simulation::TissueContactLaw::p3Recast &&
+            tissue.lumps == simulation::LumpLaw::stiffnessTimesDepth);
+    QCOMPARE(tissue.regions.size(), std::size_t{1});
+    QCOMPARE(tissue.regions[0].name, std::string("rib"));
+    QVERIFY(tissue.regions[0].centre_m == core::Vec2(7 / 1000.0, -8 / 1000.0) &&
+            tissue.regions[0].gain == 0.7);
+}
+
+void TestObjectContent::storedFaultsAreToldWithTheirPlace_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("problem");
+    const auto row = [](const char* tag, const char* kind, const char* json, const char* problem) {
+        QTest::newRow(tag) << QString::fromLatin1(kind) << QByteArray(json) << QString::fromUtf8(problem);
+    };
+    row("object: another type", "object", R"({"mass_g": "10"})", "$.mass_g: another type: expected a number");
+    row("object: half a seed", "object", R"({"roughness_seed": 1.5})",
+        "$.roughness_seed: 1.5: expected a whole number");
+    row("object: no name", "object", R"({"object": 7})", "$.object: another type: expected a text");
+    row("mesh: another shape", "mesh", R"({"shape": "cube"})",
+        R"($.shape: "cube": expected "none", "dome", "ellipsoid" or "stored")");
+    row("mesh: no list", "mesh", R"({"triangles": 3})",
+        "$.triangles: another type: expected an array of whole numbers");
+    row("mesh: negative index", "mesh", R"({"triangles": [0, -1]})",
+        "$.triangles[1]: no whole number: expected a whole number");
+    row("mesh: unknown key", "mesh", R"({"edge_cm": 1})",
+        R"($.edge_cm: unknown key: expected a key of a mesh; did you mean "edge_mm"?)");
+    row("tissue: another law", "tissue", R"({"contact": "glued"})",
+        R"($.contact: "glued": expected "anchored" or "p3_recast")");
+    row("tissue: unknown key", "tissue", R"({"layer": []})",
+        R"($.layer: unknown key: expected a property of a tissue; did you mean "layers"?)");
+    row("tissue: no list", "tissue", R"({"layers": 3})",
+        "$.layers: another type: expected an array of objects");
+    row("tissue: half an elevation", "tissue", R"({"bumps": [{"radius_x_mm": 3, "height_mm": 1}]})",
+        "$.bumps[0].radius_y_mm: missing: expected a number");
+    row("tissue: key of a layer", "tissue", R"({"layers": [{"name": "a", "modulus_kPa": 1, "modulus": 1}]})",
+        R"($.layers[0].modulus: unknown key: expected a number of a layer)");
+    row("tissue: key of a distractor", "tissue",
+        R"({"distractors": [{"name": "a", "radius_x_mm": 3, "radius_y_mm": 3, "gain": 1, "gains": 1}]})",
+        R"($.distractors[0].gains: unknown key: expected a number of a distractor; did you mean "gain"?)");
+}
+
+// A stored document is not checked against a schema again: the reader itself refuses what it cannot read.
+void TestObjectContent::storedFaultsAreToldWithTheirPlace() {
+    QFETCH(QString, kind);
+    QFETCH(QByteArray, json);
+    QFETCH(QString, problem);
+    Problems problems;
+    const ObjectReader reader(QJsonDocument::fromJson(json).object(), QStringLiteral("$"), problems);
+    if (kind == QLatin1String("object"))
+        readObject(reader);
+    else if (kind == QLatin1String("mesh"))
+        readMesh(reader);
+    else
+        readTissue(reader);
+    QCOMPARE(problems.size(), std::size_t{1});
+    QCOMPARE(problems[0].path + QStringLiteral(": ") + problems[0].found + QStringLiteral(": expected ") +
+                 problems[0].expected,
+             problem);
 }
 
 // What a session stored is read without any file: an object edited later changes nothing.

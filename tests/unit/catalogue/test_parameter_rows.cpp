@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the parameters of every exercise and the schemas that are stored of them, and how a row reads
-// and describes each type of parameter.
+// The rows of the parameters of every exercise, of objects, meshes and tissues, and the schemas that are
+// stored of them, and how a row reads and describes each type of parameter.
 #include "catalogue/exercise_contents.h"
 #include "catalogue/parameter_rows.h"
 
@@ -41,6 +41,8 @@ enum class Colour { red, green };
 struct Place {
     double at_m = 0.25;
     int rank = 2;
+    double height_m = 0.5;
+    double width_m = 3.0;
 };
 
 struct Inner {
@@ -58,6 +60,9 @@ struct Sample {
     std::string id = "one";
     int named = 0;
     std::vector<Place> places{{}};
+    double cosine = 1.0; ///< content has the angle
+    double pressure_Pa = 2500.0;
+    std::vector<std::int32_t> numbers;
 };
 
 int readNamed(const ObjectReader& json) {
@@ -66,8 +71,13 @@ int readNamed(const ObjectReader& json) {
 
 const std::vector<ParameterRow<Place>>& placeRows() {
     using Row = ParameterRow<Place>;
-    static const std::vector<Row> kRows{Row::number("at_mm", units::kMm, {0, 500}, &Place::at_m, "Where."),
-                                        Row::whole("rank", {1, 9}, &Place::rank, "Which.")};
+    static const std::vector<Row> kRows{
+        Row::number("at_mm", units::kMm, {0, 500}, &Place::at_m, "Where."),
+        Row::whole("rank", {1, 9}, &Place::rank, "Which."),
+        Row::number("height_mm", units::kMm, {0, 900}, &Place::height_m, "How high.").optional(),
+        Row::number("width_mm", units::kMm, {0, 9000}, &Place::width_m, "How wide.")
+            .withoutDefault()
+            .optional()};
     return kRows;
 }
 
@@ -83,7 +93,16 @@ const std::vector<ParameterRow<Sample>>& sampleRows() {
                             "Bright."),
         Row::identifier("id", &Sample::id, "Which."),
         Row::reference("named", kNamedMesh, readNamed, "dome", &Sample::named, "Of \"content\"."),
-        Row::list("places", {0, 4}, placeRows(), "One.", "a key of a place", &Sample::places, "All.")};
+        Row::list("places", {0, 4}, placeRows(), "One.", "a key of a place", &Sample::places, "All."),
+        Row::name("of", "Not kept."),
+        Row::derived(
+            "turn_deg", units::kDeg, {0, 180},
+            [](Sample& sample, double turn_rad) { sample.cosine = std::cos(turn_rad); },
+            [](Sample& sample) { return std::acos(sample.cosine); }, "Turned."),
+        Row::number("pressure_kPa", units::kKPa, {0, 9}, &Sample::pressure_Pa, "Pressed."),
+        Row::wholes<std::int32_t>("numbers", {0, 9}, {-5, 5}, &Sample::numbers, "One of them.", "Counted.",
+                                  "µm")
+            .withoutDefault()};
     return kRows;
 }
 
@@ -112,6 +131,7 @@ private slots:
     void schemasAreMadeOfTheRows_data();
     void schemasAreMadeOfTheRows();
     void everySchemaOfParametersHasRows();
+    void everySchemaOfNamedContentHasRows();
     void aRowFillsItsMember();
     void whatIsNotGivenStays();
     void aRowRefusesWhatItCannotRead_data();
@@ -127,6 +147,8 @@ void TestParameterRows::schemasAreMadeOfTheRows_data() {
     for (const ExerciseContent& content : exerciseContents())
         if (content.schema)
             QTest::addRow("%s", qPrintable(nameOf(content))) << nameOf(content) << content.schema();
+    for (const NamedKind& kind : kNamedKinds)
+        QTest::newRow(kind.contentSchema) << QString::fromLatin1(kind.contentSchema) << kind.schema();
 }
 
 /// The schemas of parameters are written from the rows: CHIRON_STORE_SCHEMA=1 with this test, after a row was
@@ -155,10 +177,33 @@ void TestParameterRows::everySchemaOfParametersHasRows() {
     QCOMPARE(QSet<QString>(stored.begin(), stored.end()), made);
 }
 
+/// What a file of objects, meshes or tissues refers to for its numbers is made of rows.
+void TestParameterRows::everySchemaOfNamedContentHasRows() {
+    QCOMPARE(kNamedKinds.size(), std::size_t{3});
+    for (const NamedKind& kind : kNamedKinds) {
+        QFile file(kSchemaFolder + u'/' + QLatin1String(kind.key) + QStringLiteral(".json"));
+        QVERIFY2(file.open(QIODevice::ReadOnly), kind.key);
+        const QJsonObject member = QJsonDocument::fromJson(file.readAll())
+                                       .object()[QStringLiteral("properties")]
+                                       .toObject()[QLatin1String(kind.member)]
+                                       .toObject();
+        QCOMPARE(member[QStringLiteral("description")].toString(),
+                 QStringLiteral("Its keys are in %1.json.").arg(QLatin1String(kind.contentSchema)));
+        // a row names the item whose numbers were taken
+        QVERIFY2(QJsonDocument::fromJson(kind.schema())
+                     .object()[QStringLiteral("properties")]
+                     .toObject()
+                     .contains(QLatin1String(kind.key)),
+                 kind.key);
+    }
+}
+
 void TestParameterRows::aRowFillsItsMember() {
     const Read all = read(R"({"length_mm": 12.3, "most_N": 7, "count": 5, "seed": 77, "on": false,
                               "colour": "red", "id": "two", "named": {"number": 6},
-                              "places": [{"at_mm": 7, "rank": 1}, {"at_mm": 8, "rank": 3}]})");
+                              "places": [{"at_mm": 7, "rank": 1}, {"at_mm": 8, "rank": 3, "height_mm": 9}],
+                              "of": "another", "turn_deg": 90, "pressure_kPa": 0.3,
+                              "numbers": [1, -2147483648, 3]})");
     QCOMPARE(all.problems, QStringList());
     QVERIFY(all.sample.length_m == 12.3 / 1000.0); // to the bit
     QVERIFY(all.sample.most_N == 7.0);
@@ -170,7 +215,12 @@ void TestParameterRows::aRowFillsItsMember() {
     QCOMPARE(all.sample.named, 6);
     QCOMPARE(all.sample.places.size(), std::size_t{2});
     QVERIFY(all.sample.places[1].at_m == 8 / 1000.0 && all.sample.places[1].rank == 3);
-    QVERIFY(std::isinf(read(R"({"most_N": 0})").sample.most_N)); // no limit
+    QVERIFY(all.sample.places[0].height_m == Place{}.height_m && all.sample.places[1].height_m == 9 / 1000.0);
+    QVERIFY(all.sample.cosine == std::cos(90.0 / units::kDeg.perSi));
+    QVERIFY(all.sample.pressure_Pa == 0.3 * 1000.0); // to the bit
+    QCOMPARE(all.sample.numbers, (std::vector<std::int32_t>{1, std::numeric_limits<std::int32_t>::min(), 3}));
+    QVERIFY(std::isinf(read(R"({"most_N": 0})").sample.most_N));     // no limit
+    QCOMPARE(read(R"({"seed": -7})").sample.seed, std::uint64_t{0}); // has no negative values
 }
 
 void TestParameterRows::whatIsNotGivenStays() {
@@ -196,6 +246,17 @@ void TestParameterRows::aRowRefusesWhatItCannotRead_data() {
         R"($.places[0].rang: unknown key: expected a key of a place; did you mean "rank"?)");
     row("item without a key", R"({"places": [{"at_mm": 1}]})",
         "$.places[0].rank: missing: expected a number");
+    row("optional key of an item", R"({"places": [{"at_mm": 1, "rank": 1, "height_mm": true}]})",
+        "$.places[0].height_mm: another type: expected a number");
+    row("no list of numbers", R"({"numbers": 3})",
+        "$.numbers: another type: expected an array of whole numbers");
+    row("half a number in a list", R"({"numbers": [1, 0.5, 0.25]})",
+        "$.numbers[1]: no whole number: expected a whole number");
+    row("a text in a list of numbers", R"({"numbers": ["1"]})",
+        "$.numbers[0]: no whole number: expected a whole number");
+    row("more than the type holds", R"({"numbers": [2147483648]})",
+        "$.numbers[0]: no whole number: expected a whole number");
+    row("a text for an angle", R"({"turn_deg": "90"})", "$.turn_deg: another type: expected a number");
 }
 
 void TestParameterRows::aRowRefusesWhatItCannotRead() {
@@ -206,12 +267,14 @@ void TestParameterRows::aRowRefusesWhatItCannotRead() {
 
 /// Every number of an SI unit has a number of content from which it is read to the bit.
 void TestParameterRows::defaultsAreReadAsTheMembers() {
-    QCOMPARE(contentNumber(0.0877, 1000.0), 87.7);
-    QCOMPARE(contentNumber(22.0e-3 / 6.0, 6000.0), 22.0);
-    for (const ContentUnit unit : {units::kMm, units::kDeg, units::kMilliNm, units::kN})
+    QCOMPARE(contentNumber(0.0877, units::kMm), 87.7);
+    QCOMPARE(contentNumber(22.0e-3 / 6.0, ContentUnit{"", 6000.0}), 22.0);
+    QCOMPARE(contentNumber(17e3, units::kKPa), 17.0);
+    for (const ContentUnit unit :
+         {units::kMm, units::kUm, units::kDeg, units::kMilliNm, units::kN, units::kKPa})
         for (int i = -1000; i <= 1000; ++i) {
             const double given = i / 8.0;
-            QVERIFY(contentNumber(given / unit.perSi, unit.perSi) / unit.perSi == given / unit.perSi);
+            QVERIFY(unit.toSi(contentNumber(unit.toSi(given), unit)) == unit.toSi(given));
         }
 }
 
@@ -282,7 +345,7 @@ void TestParameterRows::theFileHasTheOrderOfTheRows() {
             "type": "array",
             "minItems": 0,
             "maxItems": 4,
-            "default": [{"at_mm": 250, "rank": 2}],
+            "default": [{"at_mm": 250, "rank": 2, "height_mm": 500, "width_mm": 3000}],
             "description": "All.",
             "items": {
                 "type": "object",
@@ -301,9 +364,60 @@ void TestParameterRows::theFileHasTheOrderOfTheRows() {
                         "minimum": 1,
                         "maximum": 9,
                         "description": "Which."
+                    },
+                    "height_mm": {
+                        "type": "number",
+                        "unit": "mm",
+                        "minimum": 0,
+                        "maximum": 900,
+                        "default": 500,
+                        "description": "How high."
+                    },
+                    "width_mm": {
+                        "type": "number",
+                        "unit": "mm",
+                        "minimum": 0,
+                        "maximum": 9000,
+                        "description": "How wide."
                     }
                 },
                 "required": ["at_mm", "rank"]
+            }
+        },
+        "of": {
+            "type": "string",
+            "format": "identifier",
+            "minLength": 1,
+            "maxLength": 40,
+            "description": "Not kept."
+        },
+        "turn_deg": {
+            "type": "number",
+            "unit": "deg",
+            "minimum": 0,
+            "maximum": 180,
+            "default": 0,
+            "description": "Turned."
+        },
+        "pressure_kPa": {
+            "type": "number",
+            "unit": "kPa",
+            "minimum": 0,
+            "maximum": 9,
+            "default": 2.5,
+            "description": "Pressed."
+        },
+        "numbers": {
+            "type": "array",
+            "minItems": 0,
+            "maxItems": 9,
+            "description": "Counted.",
+            "items": {
+                "type": "integer",
+                "unit": "µm",
+                "minimum": -5,
+                "maximum": 5,
+                "description": "One of them."
             }
         }
     }

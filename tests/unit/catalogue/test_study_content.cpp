@@ -154,7 +154,7 @@ void TestStudyContent::whatADesignDoesNotSay() {
 void TestStudyContent::shippedStudiesRoundTrip() {
     const auto catalogue = StudyCatalogue::load(kContent.toStdString());
     QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
-    QCOMPARE(catalogue->studies().size(), std::size_t{12});
+    QCOMPARE(catalogue->studies().size(), std::size_t{14});
     for (const auto& study : catalogue->studies()) {
         const QByteArray written = studyJson(study);
         const auto again = readStudy(written, study.id);
@@ -242,15 +242,18 @@ void TestStudyContent::whatAReplayNeedsIsStored() {
     condition.stimulus.attribute = psychophysics::Attribute::mass;
     condition.stimulus.reference = 0.1;
     parameters = comparisonOf(condition, study->trial);
-    QVERIFY(!parameters->leaveBeforeAgain);
+    QVERIFY(!parameters->leaveBeforeAgain && parameters->touchedOnceLifted);
     QCOMPARE(parameters->yield.force_N, 3.0 * parameters->maximumForce_N); // how hard it may be pressed
     for (const bool is : {true, false}) {
-        if (!is) // as in sessions of earlier versions
+        if (!is) { // as in sessions of earlier versions
             parameters->yield = {};
+            parameters->touchedOnceLifted = false;
+        }
         const ExerciseLevel level = comparisonLevel(*parameters, "study", "a");
         const auto& read = level.parameters.as<simulation::ComparisonParameters>();
         QCOMPARE(read.yield.force_N, parameters->yield.force_N);
         QCOMPARE(read.yield.fall_s, parameters->yield.fall_s);
+        QCOMPARE(read.touchedOnceLifted, is);
         QCOMPARE(level.resolvedJson.find("yield") != std::string::npos, is);
     }
 }

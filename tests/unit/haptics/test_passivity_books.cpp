@@ -70,6 +70,8 @@ private slots:
     void oneBodyCannotBorrowFromAnother();
     void aHeldBodyKeepsItsBookWhileItIsSlack();
     void booksGoWithTheirTools();
+    void whoeverStaysKeepsTheBook_data();
+    void whoeverStaysKeepsTheBook();
     void whereNothingIsLoadedNothingIsSoftened();
     void aSoftenedBodyRecoversOnWorkAlone();
     void bookOfABodyIsThatOfP2();
@@ -124,6 +126,28 @@ void TestPassivityBooks::booksGoWithTheirTools() {
     // One of two again, with a quarter of it: what it holds goes along.
     books.tick({0, 2}, {1.0, 1.0}, {0.0, 0.0}, {3e-3, 0.0, 1e-3, 0.0});
     QVERIFY(std::abs(books.controller.excess_J(2)) < 1e-6 && std::abs(books.controller.excess_J(0)) < 1e-6);
+}
+
+void TestPassivityBooks::whoeverStaysKeepsTheBook_data() {
+    QTest::addColumn<bool>("firstStays");
+    QTest::newRow("the first tool stays") << true;
+    QTest::newRow("the second tool stays") << false;
+}
+
+/// Of two tools at one body one leaves it with a quarter of what it holds; the rest is of the one that stays.
+void TestPassivityBooks::whoeverStaysKeepsTheBook() {
+    QFETCH(bool, firstStays);
+    Books books;
+    for (int n = 0; n <= 20; ++n) // 4 mJ in, by 1 N of each tool over 2 mm
+        books.tick({0, 0}, {1.0, 1.0}, {n < 20 ? -1e-4 : 0.0, n < 20 ? -1e-4 : 0.0},
+                   {2e-4 * n, 0.0, 0.0, 0.0});
+    const std::array<std::uint8_t, 2> of =
+        firstStays ? std::array<std::uint8_t, 2>{0, 1} : std::array<std::uint8_t, 2>{1, 0};
+    books.tick(of, {1.0, 1.0}, {0.0, 0.0}, {3e-3, 1e-3, 0.0, 0.0});
+    QVERIFY2(std::abs(books.controller.excess_J(0)) < 1e-6,
+             qPrintable(QString::number(books.controller.excess_J(0))));
+    QVERIFY2(std::abs(books.controller.excess_J(1)) < 1e-6,
+             qPrintable(QString::number(books.controller.excess_J(1))));
 }
 
 void TestPassivityBooks::whereNothingIsLoadedNothingIsSoftened() {

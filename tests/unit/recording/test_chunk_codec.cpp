@@ -10,6 +10,7 @@
 
 #include <QtTest>
 #include <limits>
+#include <set>
 
 using namespace chiron;
 using namespace chiron::recording;
@@ -29,6 +30,7 @@ private slots:
     void everyTruncationIsAnError();
     void bombsAreRefused();
     void forceHashSeesEveryBit();
+    void forceHashFillsItsBufferToTheBrim();
     void payloadDigestCoversHeaderAndHash();
     void aMinuteTakesAnEighteenthOfRows();
 
@@ -259,6 +261,21 @@ void TestChunkCodec::forceHashSeesEveryBit() {
             }
     frames[1].tool[0].measured[0] += 1.0; // not a model's answer: a replay has no plant to measure
     QCOMPARE(forceHashOf(frames), before);
+}
+
+/// Frames of 2 to 98 bytes reach every filling of the buffer; the address sanitizer sees a byte beyond it.
+void TestChunkCodec::forceHashFillsItsBufferToTheBrim() {
+    std::set<Digest> seen;
+    for (std::size_t few = 0; few <= 12; ++few) {
+        std::vector<core::HapticFrame> frames(120);
+        for (std::size_t n = 0; n < frames.size(); ++n) {
+            frames[n].tools = 1;
+            for (std::size_t i = 0; i < (n < few ? 1U : 12U); ++i)
+                (i < 6 ? frames[n].tool[0].tissue[i] : frames[n].tool[0].commanded[i - 6]) =
+                    1.0 + static_cast<double>(i + n);
+        }
+        QVERIFY(seen.insert(forceHashOf(frames)).second);
+    }
 }
 
 void TestChunkCodec::payloadDigestCoversHeaderAndHash() {

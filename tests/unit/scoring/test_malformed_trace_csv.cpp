@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/trace_columns.h"
 #include "scoring/trace_csv.h"
 
 #include "core/random.h"
 
 #include <QtTest>
+#include <array>
+#include <vector>
 
 using namespace chiron;
 using namespace chiron::scoring;
@@ -118,6 +121,8 @@ class TestMalformedTraceCsv : public QObject {
 private slots:
     void malformed_data();
     void malformed();
+    void columnsOfTwoExercises_data();
+    void columnsOfTwoExercises();
     void hugeLines();
     void binaryJunkNeverCrashes();
     void truncationsNeverCrash();
@@ -145,6 +150,67 @@ void TestMalformedTraceCsv::malformed() {
     QVERIFY(rows.error().code == core::ErrorCode::badInput);
     for (const char c : message)
         QVERIFY(static_cast<unsigned char>(c) >= 0x20);
+}
+
+/// Two exercises of this test have columns of their own, and the second needs a shared one beside them.
+void TestMalformedTraceCsv::columnsOfTwoExercises_data() {
+    QTest::addColumn<QByteArray>("header");
+    QTest::addColumn<QByteArray>("problem"); // empty: the file is read
+    const auto row = [](const char* tag, const char* columns, const char* problem) {
+        QTest::newRow(tag) << QByteArray::fromStdString(kHeader + columns) << QByteArray(problem);
+    };
+    row("of none", "", "");
+    row("of the first", ",needle_N,needle_mm", "");
+    row("of the second", ",heat_N,completed,failed,unfinished", "");
+    row("of both", ",needle_N,needle_mm,heat_N,completed,failed,unfinished",
+        "heat_N: expected only columns of one exercise: the file already has those of a needle");
+    row("of both, the other way round", ",heat_N,completed,failed,unfinished,needle_mm,needle_N",
+        "heat_N: expected only columns of one exercise: the file already has those of a needle");
+    row("one of each", ",needle_mm,heat_N",
+        "heat_N: expected only columns of one exercise: the file already has those of a needle");
+    row("half of the first", ",needle_mm",
+        "no column \"needle_N\": expected all columns of its group or none of them");
+    row("the second without what it needs", ",heat_N",
+        "no column \"completed\": expected it beside those of a burn");
+}
+
+void TestMalformedTraceCsv::columnsOfTwoExercises() {
+    static constexpr std::array<OwnColumn, 2> kNeedleColumns{
+        OwnColumn{"needle_N", ColumnKind::force, 0.0, 9.0, "newtons, 0 to 9", "z_mm"},
+        OwnColumn{"needle_mm", ColumnKind::length, 0.0, 9.0, "millimetres, 0 to 9", "z_mm"}};
+    static constexpr std::array<OwnColumn, 1> kHeatColumns{
+        OwnColumn{"heat_N", ColumnKind::force, 0.0, 9.0, "newtons, 0 to 9", "z_mm"}};
+    static constexpr OwnColumns kNeedle{"a needle", kNeedleColumns};
+    static constexpr OwnColumns kHeat{"a burn", kHeatColumns, &TraceColumns::completed};
+    std::vector<TraceColumn> known;
+    for (const TraceColumn& column : traceColumns())
+        if (column.owner == nullptr)
+            known.push_back(column);
+    for (const OwnColumns* owner : {&kNeedle, &kHeat})
+        for (std::size_t place = 0; place < owner->columns.size(); ++place) {
+            const OwnColumn& own = owner->columns[place];
+            TraceColumn column{own.name, own.kind, nullptr, own.least, own.most, own.expected};
+            column.owner = owner;
+            column.place = place;
+            known.push_back(column);
+        }
+    QFETCH(QByteArray, header);
+    QFETCH(QByteArray, problem);
+    QByteArray text = header + '\n';
+    for (int row = 0; row < 2; ++row)
+        text +=
+            QByteArray::number(row) + QByteArray(",0").repeated(static_cast<int>(header.count(','))) + '\n';
+    const auto rows = readTraceCsv(text.toStdString(), "two.csv", known);
+    const QByteArray told = rows ? QByteArray() : QByteArray::fromStdString(rows.error().message);
+    QCOMPARE(told, problem.isEmpty() ? problem : "two.csv:1:1: " + problem);
+    if (!rows)
+        return;
+    const OwnColumns* owner = header.contains("needle") ? &kNeedle
+                              : header.contains("heat") ? &kHeat
+                                                        : nullptr;
+    QVERIFY(rows->columns.own == owner);
+    for (const TraceRow& row : rows->rows)
+        QCOMPARE(row.own.size(), owner ? owner->columns.size() : 0);
 }
 
 void TestMalformedTraceCsv::hugeLines() {

@@ -30,7 +30,6 @@ private slots:
     void trialThatBeginsInsideTellsItsStages();
     void stagesThatDoNotFitStayUntold();
     void trialsKeepTheirMarks();
-    void timeUpOfAProcedure();
     void otherTracksStayAsTheyAre();
     void longOrHardTraumaIsACriticalError();
     void penaltiesArePenalties();
@@ -152,14 +151,6 @@ void TestInsertionMarks::trialsKeepTheirMarks() {
         seen[static_cast<std::size_t>(mark.trial)].push_back(mark.value.value_or(-1.0));
     QVERIFY((seen[0] == std::vector<double>{1.0, 3.0}));
     QVERIFY((seen[1] == std::vector<double>{1.0, 2.0}));
-    QCOMPARE(ofKind(made, mark_kinds::kTimedOut).front().detail, std::string(session::kProcedure));
-}
-
-void TestInsertionMarks::timeUpOfAProcedure() {
-    auto made = track(bits::kTimedOut);
-    QVERIFY(ofKind(made, mark_kinds::kTimedOut).at(0).detail.empty());
-    QVERIFY(session::addInsertionMarks(made, trace(), {}));
-    QCOMPARE(ofKind(made, mark_kinds::kTimedOut).at(0).detail, std::string(session::kProcedure));
 }
 
 void TestInsertionMarks::otherTracksStayAsTheyAre() {

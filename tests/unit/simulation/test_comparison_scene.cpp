@@ -50,6 +50,7 @@ private slots:
     void noForceIsNotTouched();
     void allThatIsDrawnOfARingTakesHold();
     void aTubeIsLetGoBelowTheLineThatIsDrawn();
+    void anObjectIsTouchedOnceItWasLifted();
     void anAdjustedLevelIsNeverFeltAsAStep();
     void wordsThatDoNotExist();
     void notANumber();
@@ -326,6 +327,29 @@ void TestComparisonScene::aTubeIsLetGoBelowTheLineThatIsDrawn() {
     d.moveTo(d.at(1, d.hook_m() + 0.002), 0.4);
     QVERIFY(d.force().norm() == 0.0);
     QCOMPARE(letGoHeight_m(lossless(ComparedAttribute::mass)), 0.0);
+}
+
+/// And the forces are the same to the last bit, whether it is asked for or not.
+void TestComparisonScene::anObjectIsTouchedOnceItWasLifted() {
+    std::vector<Vec3> felt[2];
+    for (const bool asked : {false, true}) {
+        ComparisonParameters p = lossless(ComparedAttribute::mass);
+        p.touchedOnceLifted = asked;
+        ComparisonDriver d(p);
+        d.startRunning();
+        const auto to = [&](double z_m) {
+            d.moveTo(d.at(1, z_m), 0.4);
+            d.ticks(2);
+            felt[asked ? 1 : 0].push_back(d.force());
+        };
+        to(p.hookHeight_m);
+        to(p.hookHeight_m - 0.002); // pressed onto its bed
+        QCOMPARE(d.quantity(q::kPlace), 2.0);
+        QCOMPARE(d.quantity(q::kTouched), asked ? 0.0 : 2.0);
+        to(p.hookHeight_m + p.hookReach_m + ComparedObject::kLifted_m + 0.001);
+        QCOMPARE(d.quantity(q::kTouched), 2.0);
+    }
+    QVERIFY(felt[0] == felt[1]);
 }
 
 /// Two places with the same value feel the same to the last bit; with another value they do not.

@@ -19,6 +19,7 @@ class TestSphereApexScene : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() { core::setModelFloatingPointEnvironment(); }
+    void forceInADimpleIsNoSteeperThanStated();
     void objectIsGoneBetweenTrials();
     void nextTrialHasItsOwnObject();
     void forceAndStateAreReported();
@@ -29,6 +30,39 @@ private slots:
     void aDomeThatCannotBeMadeIsNoOther();
     void sameInputsSameBits();
 };
+
+/// Between points 1 µm apart, at every place and depth of the decoy.
+void TestSphereApexScene::forceInADimpleIsNoSteeperThanStated() {
+    SphereApexParameters p = shortTrials();
+    p.dimpleDepth_m = 0.0008;
+    p.dimpleRadius_m = 0.003;
+    p.trialLimit_s = 100.0;
+    Driver d(p);
+    d.startRunning();
+    const auto& trial = d.scene.trials()[0];
+    const core::Vec2 centre = trial.dimpleCentre_m;
+    constexpr double kStep_m = 1e-6;
+    double steepest = 0.0;
+    const auto forceAt = [&d](const Vec3& p_WT) {
+        d.in.tools.tools[0].p_WT = p_WT;
+        return Vec3(d.tick().tissue.tools[0].force);
+    };
+    for (const double depth_m : {0.001, 0.003, 0.005})
+        for (int i = -10; i <= 10; ++i)
+            for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+                const core::Vec2 place = centre + core::Vec2(0.1 * i * p.dimpleRadius_m, 0.0);
+                const double fromTop_m = (place - core::Vec2(trial.centre_m.x(), trial.centre_m.y())).norm();
+                const double surface_m = std::sqrt(p.radius_m * p.radius_m - fromTop_m * fromTop_m);
+                const Vec3 at(place.x(), place.y(), surface_m - depth_m);
+                const Vec3 before = forceAt(at);
+                const double stated = d.out.contactStiffness_N_per_m;
+                const double found = (forceAt(at + kStep_m * along) - before).norm() / kStep_m;
+                QVERIFY2(found <= 1.001 * stated,
+                         qPrintable(QStringLiteral("%1 N/m of %2 stated").arg(found).arg(stated)));
+                steepest = std::max(steepest, found / stated);
+            }
+    QVERIFY2(steepest > 0.3, qPrintable(QString::number(steepest))); // the bound is no empty one
+}
 
 void TestSphereApexScene::objectIsGoneBetweenTrials() {
     Driver d(shortTrials());

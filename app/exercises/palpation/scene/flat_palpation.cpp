@@ -178,6 +178,14 @@ void FlatPalpation::paintAbove(QPainter& painter, const FlatPanel& panel, const 
     painter.drawRect(QRectF(panel.at(-half.x(), half.y()), panel.at(half.x(), -half.y())));
 }
 
+QString FlatPalpation::lineWords(double step_mm, double room_px, const QFontMetricsF& font) {
+    const QString step = QLocale().toString(step_mm, 'f', 0);
+    for (const QString& words : {tr("Contour lines every %1 mm").arg(step), tr("Lines: %1 mm").arg(step)})
+        if (font.horizontalAdvance(words) <= room_px)
+            return words;
+    return {};
+}
+
 void FlatPalpation::paintLines(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) const {
     QColor ink = kDeepEdge;
     ink.setAlphaF(setup.colours.highContrast ? 1.0F : 0.55F);
@@ -188,8 +196,9 @@ void FlatPalpation::paintLines(QPainter& painter, const FlatPanel& panel, const 
         return;
     painter.setFont(panel.font(11, false));
     painter.setPen(QColor(30, 14, 14));
-    painter.drawText(panel.plot().adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
-                     tr("Contour lines every %1 mm").arg(QLocale().toString(m_lineStep_mm, 'f', 0)));
+    const QRectF room = QRectF(panel.plot()).adjusted(6, 4, -6, -4);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignTop,
+                     lineWords(m_lineStep_mm, room.width(), painter.fontMetrics()));
 }
 
 void FlatPalpation::paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

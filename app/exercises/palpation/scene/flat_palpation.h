@@ -9,6 +9,7 @@
 #include "simulation/palpation/tissue_surface.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QLineF>
 #include <vector>
@@ -54,6 +55,8 @@ private:
                     const SceneState& state) const;
     void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                    const SceneState& state) const;
+    /// What the contour lines mean, in as many words as fit the room; empty if none do.
+    static QString lineWords(double step_mm, double room_px, const QFontMetricsF& font);
     void paintLines(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) const;
     void paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                   const SceneState& state) const;

@@ -3,6 +3,7 @@
 
 #include "app/exercises/sphere_apex/desktop/apex_picture.h"
 #include "app/exercises/sphere_apex/session_report/apex_errors.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
 #include "scoring/prepared_trial.h"
@@ -31,6 +32,7 @@ private:
     std::vector<report::ApexError> m_errors;
 };
 
+/// How far a mark lies beside the top of the ball. Both are drawn, the ball too where it is hidden.
 class MarkBesideApex final : public MarkAnswer {
 public:
     // Uses the same error as the scores: the lateral distance from the axis through the ball's centre, for
@@ -46,6 +48,25 @@ public:
             return AnswerTexts::tr("Not counted: mark while you touch the sphere");
         return AnswerTexts::tr("%1 mm from the top").arg(mm);
     }
+    bool keep(const session::TrialObject& truth, const std::optional<core::Vec3>& p_WMark) override {
+        m_truth = truth;
+        m_p_WMark = p_WMark;
+        return true;
+    }
+    void show(scene3d::SceneState& drawn) const override {
+        drawn.objectShown = true;
+        drawn.p_WObject = m_truth.p_WObject;
+        drawn.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * m_truth.turn_rad), 0.0, 0.0,
+                                                                   std::sin(0.5 * m_truth.turn_rad)};
+        drawn.answered = true;
+        drawn.p_WAnswer = m_truth.p_WObject + m_truth.radius_m * core::Vec3::UnitZ();
+        drawn.marked = m_p_WMark.has_value();
+        drawn.p_WMark = m_p_WMark.value_or(core::Vec3::Zero());
+    }
+
+private:
+    session::TrialObject m_truth;
+    std::optional<core::Vec3> m_p_WMark;
 };
 
 class ApexLayer final : public PlaybackLayer {

@@ -136,6 +136,8 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
     numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
     numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
     view.repeated = database::isRepeated(trial) ? trial.spoiled : std::string();
+    const bool own = trial.spoiled != "taken_back" && trial.spoiled != database::kInterrupted;
+    view.unanswered = trial.answer < 0 && own ? trial.spoiled : std::string();
     summarise();
     if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() &&
         !progress.done()) {

@@ -65,8 +65,6 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
             mark.detail = stages[change++];
         if (mark.kind == mark_kinds::kLandmarkSeen)
             mark.value = seenUntil(series, mark.t_s);
-        if (mark.kind == mark_kinds::kTimedOut)
-            mark.detail = kProcedure;
     }
 }
 

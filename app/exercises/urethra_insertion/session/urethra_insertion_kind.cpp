@@ -182,14 +182,13 @@ Demonstration UrethraInsertionKind::demonstration() const {
                       "and canal round the bend; trauma: pushes\n"
                       "against the wall over the level's limit; seen: landmarks of the bladder inspected; "
                       "max mN·m: the largest torque\n",
-            .comparison =
-                OperatorComparison{.file = "operators_urethra_insertion.png",
-                                   .title = "Urethra insertion: alignment round the bend by operator",
-                                   .metric = "curve_alignment",
-                                   .metricName = "Alignment round the bend",
-                                   .unit = "°",
-                                   .reference = kBendMark_deg,
-                                   .referenceLabel = "pass mark, 15°"},
+            .comparison = OperatorComparison{.file = "operators_urethra_insertion.png",
+                                             .title = "Urethra insertion: alignment in the bend by operator",
+                                             .metric = "curve_alignment",
+                                             .metricName = "Alignment in the bend",
+                                             .unit = "°",
+                                             .reference = kBendMark_deg,
+                                             .referenceLabel = "pass mark, 15°"},
             .report = DemoReport{.level = kCystoscopyLevel}};
 }
 

@@ -126,8 +126,9 @@ std::vector<MetricDefinition> palpationDetectionMetrics() {
               .direction = Direction::higherIsBetter,
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Lumps found"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Lumps with a finding near enough to them. A lump that "
-                                                      "was pressed harder than the limit does not count."),
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "Lumps with a finding close enough to count. A lump that was pressed harder "
+                             "than the limit does not count."),
               .definition = "Lumps that were found: a finding lies within the hit radius of the lump's "
                             "place, or within the lump's radius where "
                             "that is larger; the nearest pair first, each finding and lump once.",
@@ -144,7 +145,7 @@ std::vector<MetricDefinition> palpationDetectionMetrics() {
               .unit = "count",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Lumps missed"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "Lumps with no finding near enough to them."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "Lumps with no finding close enough to count."),
               .definition = "Lumps that no finding found (palpation_hits) by the trial's end.",
               .source = "models.md §6; our matching",
               .measure = measurePalpationMisses});

@@ -215,20 +215,21 @@ std::vector<MetricDefinition> palpationFindingsMetrics() {
     rows.next({.definition = "size_error of one who says the median of the true radii of all lumps that were "
                              "there: what feeling nothing gives.",
                .measure = measureSizeErrorByChance2});
-    rows.add(
-        {.id = "hardness_order",
-         .unit = "%",
-         .direction = Direction::higherIsBetter,
-         .aggregate = Aggregate::pooled,
-         .title = QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
-         .meaning = QT_TRANSLATE_NOOP("Metrics", "In how many pairs of lumps found in a trial the harder one "
-                                                 "was rated harder, in %. Guessing gives 50 % or less."),
-         .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; "
-                       "pairs truly alike are left out, "
-                       "called alike is not right; all trials pooled.",
-         .source = "models.md §6 (hardness-rank correctness); our definition",
-         .chance = {.value = 50.0}, // of two lumps, a guess names the harder one half of the time
-         .measure = measureHardnessOrder});
+    rows.add({.id = "hardness_order",
+              .unit = "%",
+              .direction = Direction::higherIsBetter,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "How often the harder of two lumps found in a trial was also rated harder, in "
+                             "% of all such pairs. Guessing gives 50 % or less."),
+              .definition =
+                  "Share of the pairs of lumps found in one trial whose harder one was called harder; "
+                  "pairs truly alike are left out, "
+                  "called alike is not right; all trials pooled.",
+              .source = "models.md §6 (hardness-rank correctness); our definition",
+              .chance = {.value = 50.0}, // of two lumps, a guess names the harder one half of the time
+              .measure = measureHardnessOrder});
     rows.next(
         {.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, "
                        "on one scale from 1 to 5; pairs "

@@ -288,11 +288,11 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment, root mean square"),
               .meaning = QT_TRANSLATE_NOOP(
-                  "Metrics", "The angle between the endoscope and the direction of the urethra where its tip "
-                             "was; large angles weigh more. In "
-                             "the picture: the wall near the tip is equally wide all round when the two are "
-                             "in line, and a ring that guides is "
-                             "double. In a bend the urethra then leads on beside the middle of the picture."),
+                  "Metrics", "The angle between the endoscope and the direction of the urethra where its "
+                             "tip was; large angles weigh more. In the picture: when the two are in line, "
+                             "the wall near the tip is equally wide all round, and a guide ring, where "
+                             "there is one, is drawn double. In a bend the urethra then continues beside "
+                             "the middle of the picture."),
               .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest misalignment"),
               .definition = "Root mean square of the angle between the instrument's axis and the "
                             "centre-line's tangent over the samples in the "
@@ -315,7 +315,7 @@ std::vector<MetricDefinition> canalMetrics() {
     rows.add({.id = "curve_alignment",
               .unit = "°",
               .aggregate = Aggregate::pooled,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Alignment round the bend"),
+              .title = QT_TRANSLATE_NOOP("Metrics", "Alignment in the bend"),
               .meaning = QT_TRANSLATE_NOOP(
                   "Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, "
                              "from the bend to 30 mm past it, where the urethra is curved most. When the two "
@@ -412,8 +412,9 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "mm",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Tip travel during inspection"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was "
-                                                      "inspected: turning it shows as much and harms less."),
+              .meaning = QT_TRANSLATE_NOOP(
+                  "Metrics", "How far the tip travelled while the bladder was inspected: turning the "
+                             "endoscope shows as much and does less harm."),
               .definition = "Sum of |dp| of the tip while the bladder is inspected, low-passed at 20 Hz and "
                             "at 100 Hz: a tip that is turned, not "
                             "moved, sees as much.",

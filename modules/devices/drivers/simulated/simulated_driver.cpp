@@ -72,7 +72,8 @@ Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& re
         configuration.mapping = request.tools[i].mapping;
         auto device = Device::create(configuration, std::move(request.tools[i].strategy));
         CHIRON_TRY(device);
-        made.push_back({std::move(*device)});
+        IDrivenAxes* const axes = device->get();
+        made.push_back({.device = std::move(*device), .axes = axes});
     }
     return made;
 }
@@ -120,7 +121,8 @@ Tools makeFingers(DriverRequest& request) {
         auto device = SimulatedFingertipDevice::create(configuration, std::move(request.tools[i].strategy));
         CHIRON_TRY(device);
         hand = device->get();
-        made.push_back({std::move(*device)});
+        IDrivenAxes* const axes = device->get();
+        made.push_back({.device = std::move(*device), .axes = axes});
     }
     return made;
 }

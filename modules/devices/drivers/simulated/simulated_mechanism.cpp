@@ -77,11 +77,24 @@ Wrench SimulatedMechanism::gripOnTool(const mechanisms::ToolMotion& tool) const 
 }
 
 void SimulatedMechanism::command(const realtime::HapticTick&, const ForceCommand& command) noexcept {
-    mechanisms::Plant& plant = movedPlant();
     m_compensation_D = command.enabled ? command.compensation_D : Wrench{};
     mechanisms::AxisEfforts efforts{};
     if (command.enabled)
         efforts = kinematics().efforts(m_sample, command.wrench_D);
+    step(efforts, command);
+}
+
+void SimulatedMechanism::drive(const AxisValues& efforts, const core::DisplayPose& display_D,
+                               bool enabled) noexcept {
+    m_compensation_D = {};
+    ForceCommand command;
+    command.display = display_D;
+    command.enabled = enabled;
+    step(enabled ? efforts : mechanisms::AxisEfforts{}, command);
+}
+
+void SimulatedMechanism::step(const mechanisms::AxisEfforts& efforts, const ForceCommand& command) noexcept {
+    mechanisms::Plant& plant = movedPlant();
     plant.beginTick(efforts, command.enabled);
     m_hand.beginTick(m_strategy->decide(perceive()));
     if (m_turns)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "devices/api/device.h"
+#include "devices/api/driven_axes.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/encoder_line.h"
 #include "mechanisms/hand.h"
@@ -41,7 +42,7 @@ struct SimulatedHandSettings {
 /// motors saturate, and `measured` is what they really gave (on the tool, in W). A tool that turns is also
 /// held by a wrist; a grasper's jaw follows the hand's intention (Jaw), including the reaction delay.
 /// Thread: haptic; allocates nothing after construction.
-class SimulatedMechanism : public IDevice {
+class SimulatedMechanism : public IDevice, public IDrivenAxes {
 public:
     ~SimulatedMechanism() override;
 
@@ -54,6 +55,7 @@ public:
     core::DeviceSample read(const realtime::HapticTick& now) noexcept final;
     void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept final;
     void show(const realtime::HapticTick& now, const core::VisibleCues& cues) noexcept final;
+    void drive(const AxisValues& efforts, const core::DisplayPose& display_D, bool enabled) noexcept final;
 
     const mechanisms::Hand& hand() const noexcept { return m_hand; } ///< true state, for tests
     const mechanisms::Wrist& wrist() const noexcept { return m_wrist; }
@@ -72,6 +74,7 @@ protected:
     virtual void stepDisplay(const ForceCommand&) noexcept {} ///< after the plant's steps
 
 private:
+    void step(const mechanisms::AxisEfforts& efforts, const ForceCommand& command) noexcept;
     mechanisms::HandPerception perceive() const noexcept;
     core::Wrench gripOnTool(const mechanisms::ToolMotion& tool) const noexcept;
 

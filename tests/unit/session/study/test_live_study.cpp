@@ -364,6 +364,8 @@ void TestLiveStudy::timeIsNeverUpWithoutAnAnswer() {
         (live->poll(), live->view().state == View::answering || live->numbers().spoiled == 1), kPatience_ms);
     QCOMPARE(live->numbers().spoiled, 1);
     QCOMPARE(live->numbers().lastSpoiled, std::string("untouched"));
+    QCOMPARE(live->view().unanswered, std::string("untouched"));
+    QVERIFY(live->view().missed == session::LiveStudyView::Missed::never); // nobody moved the tool
 }
 
 void TestLiveStudy::stopsWhilePaused() {
