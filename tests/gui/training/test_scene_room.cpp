@@ -5,6 +5,7 @@
 
 #include "desktop/training/info_panel.h"
 #include "desktop/training/side_panel.h"
+#include "support/clipping.h"
 #include "support/patience.h"
 
 #include <QCheckBox>
@@ -76,6 +77,15 @@ void TestSceneRoom::theSceneKeepsItsSize() {
     QVERIFY(inSight(scene));
     for (const char* button : {"training.stop", "training.main", "training.end"})
         QVERIFY2(inSight(*bench.desktop.find<QPushButton>(QLatin1String(button))), button);
+    // While it runs, and with the longer words of a pause and of a stop, no text stays cut. A live text may
+    // need one more line than in the frame before, and the panel has its new layout an event later.
+    const auto nothingIsCut = [&](const char* state) {
+        QStringList cut;
+        QTRY_VERIFY2_WITH_TIMEOUT((cut = clippedOn(&screen)).isEmpty(),
+                                  qPrintable(QLatin1String(state) + QStringLiteral(": ") + cut.join(u'\n')),
+                                  kPatience_ms);
+    };
+    nothingIsCut("running");
     // What does not fit beside the scene is read with keys, while the pointer stays in the scene.
     auto* page = bench.desktop.find<QScrollArea>(QStringLiteral("training.side"));
     QVERIFY(page);
@@ -94,6 +104,13 @@ void TestSceneRoom::theSceneKeepsItsSize() {
     QTest::qWait(50);
     QVERIFY(std::abs(bench.state().tool[0].p_WT_m[2] - z_m) < 1e-4); // and no tool is raised by it
     QVERIFY(!bench.state().paused);
+    const auto* title = bench.desktop.find<QLabel>(QStringLiteral("training.force.title"));
+    for (const auto& [key, state] : {std::pair{Qt::Key_Space, "paused"}, {Qt::Key_Escape, "stopped"}}) {
+        const QString before = title->text();
+        QTest::keyClick(bench.screen(), key);
+        QTRY_VERIFY_WITH_TIMEOUT(title->text() != before, kPatience_ms);
+        nothingIsCut(state);
+    }
 }
 
 /// A panel with bars, numbers and plots that is just too low for all of it: the plot goes, the bars stay, and
