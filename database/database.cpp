@@ -57,13 +57,15 @@ core::Result<void> fillFile(const std::string& file, const SiteKey& key, const D
     auto connection = Connection::create(file);
     CHIRON_TRY(connection);
     (*connection)->setSite(&key, options.clock.get());
-    const auto isPrivate = keepPrivate(file); // SQLite gives the log beside it the same permissions
-    auto migrated = isPrivate ? MigrationRunner().migrate(**connection) : tl::unexpected(isPrivate.error());
-    auto done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
+    CHIRON_TRY(keepPrivate(file)); // SQLite gives the log beside it the same permissions
+    CHIRON_TRY(MigrationRunner().migrate(**connection));
+    auto done = fillNew(**connection, options);
     // The file is in WAL mode from the start: a rollback journal left by a kill would lock out readers.
     done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;
-    const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
-    return head ? writeHeadFile(key, *head) : tl::unexpected(head.error());
+    CHIRON_TRY(done);
+    const auto head = auditHead(**connection);
+    CHIRON_TRY(head);
+    return writeHeadFile(key, *head);
 }
 
 } // namespace
@@ -124,7 +126,8 @@ core::Result<std::unique_ptr<Database>> Database::openForWriting(const std::stri
     database->m_siteKey = *std::move(key);
     if (present->version < runner.newest()) {
         auto connection = Connection::open(file, Connection::Mode::readWrite);
-        auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
+        CHIRON_TRY(connection);
+        auto migrated = runner.migrate(**connection);
         CHIRON_TRY(migrated);
     }
     auto started = database->startWriter();
@@ -169,9 +172,9 @@ core::Result<void> Database::readIdentity() {
     const auto version = selectInteger(**reader, "PRAGMA user_version");
     const auto uuid = selectText(**reader, "SELECT value FROM meta WHERE key = 'uuid'");
     const auto demonstration = selectText(**reader, "SELECT value FROM meta WHERE key = 'demonstration'");
-    if (!version || !uuid || !demonstration) {
-        return tl::unexpected(!version ? version.error() : !uuid ? uuid.error() : demonstration.error());
-    }
+    CHIRON_TRY(version);
+    CHIRON_TRY(uuid);
+    CHIRON_TRY(demonstration);
     m_schemaVersion = static_cast<int>(version->value_or(0));
     m_uuid = uuid->value_or("");
     m_demonstration = demonstration->value_or("0") == "1";

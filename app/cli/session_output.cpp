@@ -76,8 +76,8 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
                       {"dropped", static_cast<double>(record->summary.dropped)},
                       {"bytes", static_cast<double>(record->summary.recordingBytes)}};
     auto card = database::ScoreRepository(connection, actor).scores(session);
-    if (!card && card.error().code != core::ErrorCode::notFound)
-        return tl::unexpected(card.error());
+    if (!core::failedAs(card, core::ErrorCode::notFound))
+        CHIRON_TRY(card);
     if (card)
         view.card = std::move(*card);
     auto trials = database::SessionReader(connection, actor).trials(session);

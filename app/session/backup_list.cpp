@@ -66,10 +66,12 @@ database::VerifyReport verifyBackup(const std::string& folder, const std::string
 core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile,
                               const database::DatabaseOptions& options) {
     const auto key = database::SiteKey::load(database::siteFolderFor(databaseFile, options));
-    const auto manifest = key ? database::readManifest(folder, **key) : tl::unexpected(key.error());
+    CHIRON_TRY(key);
+    const auto manifest = database::readManifest(folder, **key);
     CHIRON_TRY(manifest);
     const auto present = database::MigrationRunner().inspect(folder + "/" + database::kSnapshotFile);
-    return present ? core::Result<void>() : tl::unexpected(present.error());
+    CHIRON_TRY(present);
+    return {};
 }
 
 std::string defaultBackupFolder(const std::string& databaseFile) {

@@ -148,8 +148,8 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
     result.replayIdentical = replay->identical;
     auto kept = database::ScoreRepository(**connection, actor).scores(result.result.session);
     auto again = (*stored)->computeScores();
-    if (!kept || !again)
-        return tl::unexpected(kept ? again.error() : kept.error());
+    CHIRON_TRY(kept);
+    CHIRON_TRY(again);
     result.scoreSame = sameScores(*kept, *again) && sameScores(*kept, result.result.scores);
     return {};
 }

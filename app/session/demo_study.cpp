@@ -84,7 +84,8 @@ core::Result<bool> replaysAlike(database::Database& database, const database::Ac
     auto stored = SessionView::open(**connection, author, session);
     CHIRON_TRY(stored);
     const auto replay = replaySession(**stored);
-    return replay ? core::Result<bool>(replay->identical) : tl::unexpected(replay.error());
+    CHIRON_TRY(replay);
+    return replay->identical;
 }
 
 /// Analyses the study as for everybody who opens it.

@@ -45,8 +45,8 @@ core::Result<std::uint64_t> storeRingFrames(database::Database& database,
     CHIRON_TRY(setup);
     auto positions = ToolPositions::create(*setup);
     auto table = channelTableFor(*setup);
-    if (!positions || !table)
-        return tl::unexpected(positions ? table.error() : positions.error());
+    CHIRON_TRY(positions);
+    CHIRON_TRY(table);
     return database.write([&](database::WriteContext& context) -> core::Result<std::uint64_t> {
         const database::Actor maintenance = database::Actor::maintenance();
         auto sink =

@@ -105,7 +105,8 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
             return ended;
         auto kept =
             database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
-        return kept ? core::Result<void>() : tl::unexpected(kept.error());
+        CHIRON_TRY(kept);
+        return {};
     });
     CHIRON_TRY(done);
     return std::move(conclusion->card);

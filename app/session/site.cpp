@@ -110,7 +110,8 @@ core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const Sc
     const auto level = levelOf(catalogue, session);
     CHIRON_TRY(level);
     auto station = stationFor(**kind, **level, session);
-    return station ? core::Result<void>() : tl::unexpected(station.error());
+    CHIRON_TRY(station);
+    return {};
 }
 
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,

@@ -97,10 +97,9 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     auto participants = reader.participants(study);
     auto answers = reader.questionnaireAnswers(study);
     auto quality = reader.trialQuality(study);
-    if (!participants || !answers || !quality)
-        return tl::unexpected(!participants ? participants.error()
-                              : !answers    ? answers.error()
-                                            : quality.error());
+    CHIRON_TRY(participants);
+    CHIRON_TRY(answers);
+    CHIRON_TRY(quality);
     data.answers = std::move(*answers);
     data.quality = std::move(*quality);
     for (database::Participant& participant : *participants) {

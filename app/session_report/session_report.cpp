@@ -148,8 +148,8 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
     addFacts(data, record, setup, language);
     const auto site = database::SiteRepository(connection, actor).siteName();
     auto trials = database::SessionReader(connection, actor).trials(record.summary.id);
-    if (!site || !trials)
-        return tl::unexpected(!site ? site.error() : trials.error());
+    CHIRON_TRY(site);
+    CHIRON_TRY(trials);
     data.site = QString::fromStdString(*site);
     data.trialsDone = trialsDoneOf(*trials);
     database::ScoreRepository repository(connection, actor);
@@ -165,8 +165,8 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record,
         }
         if (judged && !setup.level.gates.empty())
             data.passed = card->passed;
-    } else if (card.error().code != core::ErrorCode::notFound) {
-        return tl::unexpected(card.error());
+    } else if (!core::failedAs(card, core::ErrorCode::notFound)) {
+        CHIRON_TRY(card);
     }
     return data;
 }

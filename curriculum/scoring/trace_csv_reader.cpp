@@ -65,11 +65,12 @@ public:
         std::string_view line;
         nextLine(line);
         CHIRON_TRY(readHeader(line));
-        while (nextLine(line))
-            if (auto row = readRow(line); !row)
-                return tl::unexpected(row.error());
-            else if (!*row)
+        while (nextLine(line)) {
+            const auto row = readRow(line);
+            CHIRON_TRY(row);
+            if (!*row)
                 break;
+        }
         if (m_out.rows.empty())
             return refuse(1, "no rows", "at least one row below the header");
         return std::move(m_out);
@@ -109,8 +110,8 @@ private:
                     return refuse(number, shown(name), "each column once");
                 seen[place] = true;
                 m_columns.push_back({&m_known[place], nullptr, 0});
-            } else if (auto named = addNamed(name, number); !named) {
-                return named;
+            } else {
+                CHIRON_TRY(addNamed(name, number));
             }
         }
         return checkGroups(seen);

@@ -29,14 +29,14 @@ core::Result<void> forgetOldPages(Connection& connection) {
 
 core::Result<bool> AccountService::hasPeople() {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, Actor::anonymous()).hasPeople()
-                  : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, Actor::anonymous()).hasPeople();
 }
 
 core::Result<std::vector<LoginName>> AccountService::listLoginNames() {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, Actor::anonymous()).listLoginNames()
-                  : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, Actor::anonymous()).listLoginNames();
 }
 
 core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name,
@@ -48,14 +48,14 @@ core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const 
     const std::string code = newRecoveryCode();
     const auto passwordHash = hasher.hash(password);
     const auto codeHash = hasher.hash(code);
-    if (!passwordHash || !codeHash) {
-        return tl::unexpected(!passwordHash ? passwordHash.error() : codeHash.error());
-    }
+    CHIRON_TRY(passwordHash);
+    CHIRON_TRY(codeHash);
     const auto id = m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), Actor::anonymous())
             .createFirstAdministrator({name, displayName, {Role::admin}, *passwordHash, false}, *codeHash);
     });
-    return id ? core::Result<FirstAdministrator>({*id, code}) : tl::unexpected(id.error());
+    CHIRON_TRY(id);
+    return FirstAdministrator{*id, code};
 }
 
 core::Result<PersonId> AccountService::createPerson(const Actor& actor, const PersonRequest& request) {
@@ -85,13 +85,14 @@ core::Result<void> AccountService::changeDisplayName(const Actor& actor, const s
 
 core::Result<std::vector<EarlierName>> AccountService::earlierNames(const Actor& actor, PersonId person) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).earlierNames(person) : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, actor).earlierNames(person);
 }
 
 core::Result<Person> AccountService::self(const Actor& actor) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).person(actor.personId())
-                  : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, actor).person(actor.personId());
 }
 
 tl::expected<void, Refusal> AccountService::tryChangePassword(const Actor& actor,
@@ -129,9 +130,10 @@ core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId pe
     CHIRON_TRY(reader);
     const auto whose = AccountRepository(**reader, actor).person(person);
     // Whoever may not read the person may not reset the password either: the repository refuses that below.
-    if (!whose && whose.error().code != core::ErrorCode::notAllowed &&
-        whose.error().code != core::ErrorCode::notFound)
-        return tl::unexpected(whose.error());
+    if (!core::failedAs(whose, core::ErrorCode::notAllowed) &&
+        !core::failedAs(whose, core::ErrorCode::notFound)) {
+        CHIRON_TRY(whose);
+    }
     CHIRON_TRY(checkPassword(whose ? whose->name : std::string(), newPassword));
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
     CHIRON_TRY(hash);
@@ -154,12 +156,14 @@ core::Result<void> AccountService::setRoles(const Actor& actor, PersonId person,
 
 core::Result<std::vector<Person>> AccountService::listPeople(const Actor& actor) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).listPeople() : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, actor).listPeople();
 }
 
 core::Result<Person> AccountService::personByName(const Actor& actor, const std::string& name) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).personByName(name) : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, actor).personByName(name);
 }
 
 core::Result<void> AccountService::mayErase(const Actor& actor, const std::string& password) {

@@ -55,7 +55,8 @@ core::Result<LoginAttempt> AccountService::begin(const std::string& name, bool r
         return m_database.write([&](WriteContext& writing) { return job(writing.connection()); });
     }
     auto reader = m_database.openReader();
-    return reader ? job(**reader) : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return job(**reader);
 }
 
 core::Result<Actor> AccountService::finish(const LoginAttempt& attempt) {
@@ -65,8 +66,8 @@ core::Result<Actor> AccountService::finish(const LoginAttempt& attempt) {
         });
     }
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, Actor::anonymous()).finishLogin(attempt)
-                  : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, Actor::anonymous()).finishLogin(attempt);
 }
 
 tl::expected<Actor, Refusal> AccountService::tryLogin(const std::string& name, const std::string& password) {
@@ -140,8 +141,8 @@ tl::expected<Actor, Refusal> AccountService::tryConfirm(const Actor& actor, cons
 
 core::Result<bool> AccountService::hasRecoveryCode(const Actor& actor) {
     auto reader = m_database.openReader();
-    return reader ? AccountRepository(**reader, actor).hasRecoveryCode(actor.personId())
-                  : tl::unexpected(reader.error());
+    CHIRON_TRY(reader);
+    return AccountRepository(**reader, actor).hasRecoveryCode(actor.personId());
 }
 
 tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Actor& actor,

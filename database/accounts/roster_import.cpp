@@ -48,9 +48,8 @@ core::Result<KnownPeople> peopleFor(Database& database, const Actor& actor) {
     AccountRepository accounts(**reader, actor);
     auto people = accounts.listPeople();
     auto earlier = accounts.listEarlierLogins();
-    if (!people || !earlier) {
-        return tl::unexpected(!people ? people.error() : earlier.error());
-    }
+    CHIRON_TRY(people);
+    CHIRON_TRY(earlier);
     return KnownPeople{*std::move(people), *std::move(earlier)};
 }
 

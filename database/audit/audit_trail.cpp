@@ -114,9 +114,8 @@ core::Result<void> appendAudit(Connection& connection, const Actor& actor, const
     }
     auto last = lastLink(connection);
     auto identity = databaseIdentity(connection);
-    if (!last || !identity) {
-        return tl::unexpected(!last ? last.error() : identity.error());
-    }
+    CHIRON_TRY(last);
+    CHIRON_TRY(identity);
     AuditLink link;
     link.sequence = *last ? (*last)->sequence + 1 : 1;
     link.utc = core::utcNowIso8601();

@@ -47,7 +47,8 @@ bool isCut(const QString& name, const QByteArray& header, std::string& detail) {
 core::Result<std::string> quickCheck(Connection& connection, const std::string& table) {
     const auto words = selectText(connection, "PRAGMA quick_check" +
                                                   (table.empty() ? std::string("(1)") : "('" + table + "')"));
-    return words ? core::Result<std::string>(words->value_or("")) : tl::unexpected(words.error());
+    CHIRON_TRY(words);
+    return words->value_or("");
 }
 
 FileState byPages(const std::string& file, const std::atomic<bool>* cancel) {

@@ -20,7 +20,8 @@ core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std:
     for (; row && *row; row = query->next()) {
         ids.push_back(query->integer(0));
     }
-    return row ? core::Result<std::vector<std::int64_t>>(std::move(ids)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return ids;
 }
 
 core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom, Erasure& erasure) {
@@ -29,9 +30,8 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
     const auto before = selectText(
         connection, "SELECT lower(hex(digest)) FROM person WHERE id = ? AND kind <> 'simulated'", {id});
     const auto created = selectText(connection, "SELECT created_utc FROM person WHERE id = ?", {id});
-    if (!before || !created) {
-        return tl::unexpected(!before ? before.error() : created.error());
-    }
+    CHIRON_TRY(before);
+    CHIRON_TRY(created);
     if (!*before) {
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
     }
@@ -46,9 +46,9 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
     const auto credential = updateRow(
         connection, "credential", {{"person_id", id}},
         {{"password_hash", std::string()}, {"recovery_hash", std::string()}, {"wait_boot", std::string()}});
-    if (!person || !code || !credential) {
-        return tl::unexpected(!person ? person.error() : !code ? code.error() : credential.error());
-    }
+    CHIRON_TRY(person);
+    CHIRON_TRY(code);
+    CHIRON_TRY(credential);
     erasure.personCreated_utc = created->value_or("");
     erasure.digestsJson = "{\"person\":\"" + **before + "\"";
     return appendAudit(connection, byWhom, {"erase", "person", id, *person, "{}"});
@@ -67,12 +67,10 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
                    "(SELECT id FROM session WHERE person_id = ?)",
                    {id, id});
     auto names = Query::run(connection, "UPDATE person_name SET names_json = '' WHERE person_id = ?", {id});
-    if (!comments || !reasons || !decisions || !names) {
-        return tl::unexpected(!comments    ? comments.error()
-                              : !reasons   ? reasons.error()
-                              : !decisions ? decisions.error()
-                                           : names.error());
-    }
+    CHIRON_TRY(comments);
+    CHIRON_TRY(reasons);
+    CHIRON_TRY(decisions);
+    CHIRON_TRY(names);
     // A trace's name or the folder of the ring may reveal the person. Names of scripted operators do not, but
     // a single rule is simpler.
     const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", id);
@@ -135,7 +133,8 @@ core::Result<void> storeTombstone(Connection& connection, const Erasure& erasure
     }
     const auto row = *known ? updateRow(connection, "erasure", key, std::move(rest))
                             : insertRow(connection, "erasure", std::move(rest));
-    return row ? core::Result<void>() : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return {};
 }
 
 } // namespace
@@ -145,9 +144,8 @@ core::Result<void> overwriteRecording(Connection& connection, const Actor& byWho
     const auto seal = selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
     auto payloads =
         Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
-    if (!seal || !payloads) {
-        return tl::unexpected(!seal ? seal.error() : payloads.error());
-    }
+    CHIRON_TRY(seal);
+    CHIRON_TRY(payloads);
     const auto row =
         updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
     CHIRON_TRY(row);
@@ -168,7 +166,8 @@ core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWho
     }
     erasure.digestsJson += "}";
     done = done ? storeTombstone(connection, erasure) : done;
-    return done ? core::Result<Erasure>(std::move(erasure)) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return erasure;
 }
 
 core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
@@ -183,7 +182,8 @@ core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
         erasures.push_back({query->integer(0), query->text(1), query->text(2), query->text(3),
                             query->integer(4), query->integer(5) != 0, query->text(6)});
     }
-    const auto participants = row ? storedParticipantErasures(connection) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    const auto participants = storedParticipantErasures(connection);
     CHIRON_TRY(participants);
     erasures.insert(erasures.end(), participants->begin(), participants->end());
     return erasures;

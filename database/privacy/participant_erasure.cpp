@@ -17,7 +17,8 @@ core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std:
     for (; row && *row; row = query->next()) {
         ids.push_back(query->integer(0));
     }
-    return row ? core::Result<std::vector<std::int64_t>>(std::move(ids)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return ids;
 }
 
 // Keys and answers are covered through their hashes, so neither digests nor the chain change.
@@ -29,18 +30,16 @@ core::Result<void> overwriteTexts(Connection& connection, std::int64_t participa
                    "SELECT group_concat('\"' || id || '\":\"' || lower(hex(answer_hash)) || '\"', ',') FROM "
                    "questionnaire_answer WHERE participant_id = ?",
                    {participant});
-    if (!key || !answers) {
-        return tl::unexpected(!key ? key.error() : answers.error());
-    }
+    CHIRON_TRY(key);
+    CHIRON_TRY(answers);
     digests += "\"key\":\"" + key->value_or("") + "\",\"answers\":{" + answers->value_or("") + "}";
     auto first =
         Query::run(connection, "UPDATE participant_key SET key_json = '' WHERE id = ?", {participant});
     auto second =
         Query::run(connection, "UPDATE questionnaire_answer SET answer_json = '' WHERE participant_id = ?",
                    {participant});
-    if (!first || !second) {
-        return tl::unexpected(!first ? first.error() : second.error());
-    }
+    CHIRON_TRY(first);
+    CHIRON_TRY(second);
     return {};
 }
 
@@ -56,9 +55,9 @@ core::Result<void> overwriteRemarks(Connection& connection, std::int64_t partici
         Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
     auto decisions = Query::run(
         connection, "UPDATE session_decision SET reason = '' WHERE session_id IN " + sittings, {participant});
-    if (!comments || !reasons || !decisions) {
-        return tl::unexpected(!comments ? comments.error() : !reasons ? reasons.error() : decisions.error());
-    }
+    CHIRON_TRY(comments);
+    CHIRON_TRY(reasons);
+    CHIRON_TRY(decisions);
     return {};
 }
 
@@ -94,9 +93,9 @@ core::Result<void> storeTombstone(Connection& connection, const Actor& byWhom, s
     const auto row =
         *known ? updateRow(connection, "participant_erasure", {{"id", participant}}, std::move(rest))
                : insertRow(connection, "participant_erasure", std::move(rest));
-    return row ? appendAudit(connection, byWhom,
-                             {"eraseParticipant", "participant_erasure", participant, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, byWhom,
+                       {"eraseParticipant", "participant_erasure", participant, *row, "{}"});
 }
 
 } // namespace
@@ -112,7 +111,8 @@ core::Result<std::vector<std::int64_t>> participantsOf(Connection& connection, P
 core::Result<std::int64_t> participantWithCode(Connection& connection, const std::string& code) {
     const auto id = selectInteger(
         connection, "SELECT id FROM study_participant WHERE code = ? AND simulated = 0", {code});
-    return id ? core::Result<std::int64_t>(id->value_or(0)) : tl::unexpected(id.error());
+    CHIRON_TRY(id);
+    return id->value_or(0);
 }
 
 core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom,
@@ -120,7 +120,8 @@ core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& 
     auto query =
         Query::run(connection, "SELECT code, simulated, erase_recordings FROM study_participant WHERE id = ?",
                    {participant});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
     CHIRON_TRY(row);
     if (!*row || query->integer(1) != 0) {
         return *row ? core::fail(core::ErrorCode::wrongUse,
@@ -141,15 +142,16 @@ core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& 
     }
     erasure.digestsJson = "{" + digests + "}";
     done = done ? storeTombstone(connection, byWhom, participant, erasure) : done;
-    return done ? core::Result<Erasure>(std::move(erasure)) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return erasure;
 }
 
 core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connection) {
     const auto there =
         selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'participant_erasure'");
     if (!there || there->value_or(0) == 0) {
-        return there ? core::Result<std::vector<Erasure>>(std::vector<Erasure>())
-                     : tl::unexpected(there.error());
+        CHIRON_TRY(there);
+        return std::vector<Erasure>();
     }
     auto query = Query::run(
         connection, "SELECT p.code, e.utc, e.reason, e.administrator_id, e.recordings_withdrawn, "
@@ -162,7 +164,8 @@ core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connect
         erasures.push_back({0, "", query->text(1), query->text(2), query->integer(3), query->integer(4) != 0,
                             query->text(5), query->text(0)});
     }
-    return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return erasures;
 }
 
 } // namespace chiron::database

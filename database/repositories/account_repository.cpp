@@ -26,7 +26,8 @@ std::string newPersonCode() {
 core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Action action) {
     CHIRON_TRY(requireWriter(connection));
     const auto scope = authorise(connection, actor, action);
-    return scope ? core::Result<void>() : tl::unexpected(scope.error());
+    CHIRON_TRY(scope);
+    return {};
 }
 
 core::Result<void> exists(Connection& connection, PersonId id) {
@@ -54,7 +55,8 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
     CHIRON_TRY(id);
     auto stored =
         updateRow(m_connection, "credential", {{"person_id", *id}}, {{"recovery_hash", recoveryCodeHash}});
-    return stored ? id : tl::unexpected(stored.error());
+    CHIRON_TRY(stored);
+    return id;
 }
 
 core::Result<PersonId> AccountRepository::createPerson(const NewPerson& person) {
@@ -81,7 +83,8 @@ AccountRepository::importPeople(const std::vector<NewPerson>& people,
         CHIRON_TRY(done);
     }
     auto kept = changes.empty() ? core::Result<void>() : keepsAnAdministrator();
-    return kept ? core::Result<std::vector<PersonId>>(std::move(ids)) : tl::unexpected(kept.error());
+    CHIRON_TRY(kept);
+    return ids;
 }
 
 core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) {
@@ -113,13 +116,13 @@ core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) 
                                        {"must_change", std::int64_t{person.mustChangePassword}},
                                        {"wait_boot", std::string()},
                                        {"wait_until_ns", std::int64_t{0}}});
-    if (!code || !credential) {
-        return tl::unexpected(!code ? code.error() : credential.error());
-    }
+    CHIRON_TRY(code);
+    CHIRON_TRY(credential);
     auto audited =
         appendAudit(m_connection, m_actor,
                     {"createPerson", "person", id, *row, "{\"roles\":\"" + person.roles.list() + "\"}"});
-    return audited ? core::Result<PersonId>(id) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return id;
 }
 
 core::Result<void> AccountRepository::setEnabled(PersonId id, bool enabled) {
@@ -178,15 +181,16 @@ core::Result<bool> AccountRepository::hasRecoveryCode(PersonId id) {
     CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::hasRecoveryCode, id));
     const auto has =
         selectInteger(m_connection, "SELECT recovery_hash <> '' FROM credential WHERE person_id = ?", {id});
-    return has ? core::Result<bool>(has->value_or(0) != 0) : tl::unexpected(has.error());
+    CHIRON_TRY(has);
+    return has->value_or(0) != 0;
 }
 
 core::Result<void> AccountRepository::setRecoveryCode(PersonId id, const std::string& newHash) {
     CHIRON_TRY(requireWriter(m_connection));
     CHIRON_TRY(authoriseFor(m_connection, m_actor, Action::setRecoveryCode, id));
     const auto row = updateRow(m_connection, "credential", {{"person_id", id}}, {{"recovery_hash", newHash}});
-    return row ? appendAudit(m_connection, m_actor, {"setRecoveryCode", "credential", id, std::nullopt, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(m_connection, m_actor, {"setRecoveryCode", "credential", id, std::nullopt, "{}"});
 }
 
 core::Result<void> AccountRepository::storePassword(PersonId id, const std::string& hash, bool mustChange) {
@@ -195,7 +199,8 @@ core::Result<void> AccountRepository::storePassword(PersonId id, const std::stri
                                 {"must_change", std::int64_t{mustChange}},
                                 {"failures", std::int64_t{0}},
                                 {"wait_until_ns", std::int64_t{0}}});
-    return row ? core::Result<void>() : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return {};
 }
 
 } // namespace chiron::database

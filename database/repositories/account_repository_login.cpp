@@ -94,7 +94,8 @@ core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) 
     auto audited =
         appendAudit(m_connection, *actor,
                     {"login", "person", attempt.person, std::nullopt, "{\"wrong_before\":" + wrong + "}"});
-    return audited ? actor : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return actor;
 }
 
 core::Result<Actor> AccountRepository::actorFor(PersonId id) {

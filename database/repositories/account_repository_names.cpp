@@ -32,8 +32,8 @@ core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonI
                                 {"changed_by", actor.personId()},
                                 {"names_json", json},
                                 {"names_hash", toBlob(textDigest(json))}});
-    return row ? appendAudit(connection, actor, {"keepNames", "person_name", id, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor, {"keepNames", "person_name", id, *row, "{}"});
 }
 
 } // namespace
@@ -66,9 +66,8 @@ core::Result<void> AccountRepository::storeNames(const char* action, PersonId id
     const auto before =
         selectText(m_connection, "SELECT name FROM person WHERE id = ? AND kind = 'person'", {id});
     const auto shown = selectText(m_connection, "SELECT display_name FROM person WHERE id = ?", {id});
-    if (!before || !shown) {
-        return tl::unexpected(!before ? before.error() : shown.error());
-    }
+    CHIRON_TRY(before);
+    CHIRON_TRY(shown);
     if (!*before) {
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
     }
@@ -81,8 +80,8 @@ core::Result<void> AccountRepository::storeNames(const char* action, PersonId id
     CHIRON_TRY(keepNames(m_connection, m_actor, id, **before, shown->value_or("")));
     const auto row = updateRow(m_connection, "person", {{"id", id}},
                                {{"name", name}, {"name_key", nameKey(name)}, {"display_name", displayName}});
-    return row ? appendAudit(m_connection, m_actor, {action, "person", id, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(m_connection, m_actor, {action, "person", id, *row, "{}"});
 }
 
 core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId id) {
@@ -100,7 +99,8 @@ core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId 
         names.push_back({query->integer(0), json["name"].toString().toStdString(),
                          json["display_name"].toString().toStdString(), query->text(2), query->integer(3)});
     }
-    return row ? core::Result<std::vector<EarlierName>>(std::move(names)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return names;
 }
 
 core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
@@ -117,7 +117,8 @@ core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
         logins.push_back({query->integer(0), json["name"].toString().toStdString(),
                           json["display_name"].toString().toStdString()});
     }
-    return row ? core::Result<std::vector<EarlierLogin>>(std::move(logins)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return logins;
 }
 
 } // namespace chiron::database

@@ -33,7 +33,8 @@ core::Result<bool> AccountRepository::hasPeople() {
 
 core::Result<bool> AccountRepository::anybody() {
     const auto any = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind <> 'simulated'");
-    return any ? core::Result<bool>(any->value_or(1) != 0) : tl::unexpected(any.error());
+    CHIRON_TRY(any);
+    return any->value_or(1) != 0;
 }
 
 core::Result<std::vector<LoginName>> AccountRepository::listLoginNames() {
@@ -46,7 +47,8 @@ core::Result<std::vector<LoginName>> AccountRepository::listLoginNames() {
     for (; row && *row; row = query->next()) {
         names.push_back({query->integer(0), query->text(1), query->text(2)});
     }
-    return row ? core::Result<std::vector<LoginName>>(std::move(names)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return names;
 }
 
 core::Result<std::vector<Person>> AccountRepository::listPeople() {
@@ -58,7 +60,8 @@ core::Result<std::vector<Person>> AccountRepository::listPeople() {
     for (; row && *row; row = query->next()) {
         people.push_back(personOf(*query));
     }
-    return row ? core::Result<std::vector<Person>>(std::move(people)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return people;
 }
 
 core::Result<Person> AccountRepository::person(PersonId id) {

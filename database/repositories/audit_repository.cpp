@@ -20,7 +20,8 @@ core::Result<std::vector<AuditEntry>> AuditRepository::listAudit(int limit) {
         entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
                            query->text(4), query->text(5), query->integer(6), query->text(7)});
     }
-    return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return entries;
 }
 
 } // namespace chiron::database

@@ -87,7 +87,8 @@ private:
         }
         const auto row = *known ? updateRow(m_connection, "second_summary", key, std::move(rest))
                                 : insertRow(m_connection, "second_summary", std::move(rest));
-        return row ? core::Result<void>() : tl::unexpected(row.error());
+        CHIRON_TRY(row);
+        return {};
     }
 
     Connection& m_connection;

@@ -21,9 +21,11 @@ core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
         "SELECT s.key, s.title, k.key_json FROM study_participant p JOIN study s ON s.id = p.study_id "
         "JOIN participant_key k ON k.id = p.id WHERE p.id = ?",
         {held.participant.id});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
-    if (!row || !*row) {
-        return row ? core::Result<void>() : tl::unexpected(row.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
+    CHIRON_TRY(row);
+    if (!*row) {
+        return {};
     }
     held.studyKey = query->text(0);
     held.studyTitle = query->text(1);
@@ -38,12 +40,13 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     auto participants = participantRows(connection, "p.id = ?", {id});
     auto runs = shownRuns(connection, id); // the export of a person's data unblinds nothing
     const auto blinding = blindingOf(connection, StudyPart::participant, id);
-    auto answers = blinding ? answerRows(connection, "p.id = ?", id) : tl::unexpected(blinding.error());
-    if (!participants || !runs || !answers || participants->empty()) {
-        return !participants ? tl::unexpected(participants.error())
-               : !runs       ? tl::unexpected(runs.error())
-               : !answers    ? tl::unexpected(answers.error())
-                             : core::fail(core::ErrorCode::storage, "a participant is damaged; run verify");
+    CHIRON_TRY(participants);
+    CHIRON_TRY(runs);
+    CHIRON_TRY(blinding);
+    auto answers = answerRows(connection, "p.id = ?", id);
+    CHIRON_TRY(answers);
+    if (participants->empty()) {
+        return core::fail(core::ErrorCode::storage, "a participant is damaged; run verify");
     }
     PersonParticipation held;
     held.participant = std::move(participants->front());
@@ -70,7 +73,8 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
         held.trials.insert(held.trials.end(), trials->begin(), trials->end());
     }
     const auto added = addStudy(connection, held);
-    return added ? core::Result<PersonParticipation>(std::move(held)) : tl::unexpected(added.error());
+    CHIRON_TRY(added);
+    return held;
 }
 
 } // namespace
@@ -94,8 +98,8 @@ core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber part
     CHIRON_TRY(authoriseForStudy(m_connection, m_actor, Action::eraseParticipant, StudyPart::participant,
                                  participant));
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
-                    : tl::unexpected(good.error());
+        CHIRON_TRY(good);
+        return core::fail(core::ErrorCode::badInput, "reason: expected a text");
     }
     const auto state =
         selectText(m_connection, "SELECT state FROM study_participant WHERE id = ?", {participant});
@@ -104,9 +108,8 @@ core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber part
         "SELECT count(*) FROM session WHERE state = 'running' AND id IN (SELECT t.session_id "
         "FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
         {participant});
-    if (!state || !running) {
-        return tl::unexpected(!state ? state.error() : running.error());
-    }
+    CHIRON_TRY(state);
+    CHIRON_TRY(running);
     if (state->value_or("") != "withdrawn" || running->value_or(0) > 0) {
         return core::fail(core::ErrorCode::wrongUse,
                           running->value_or(0) > 0

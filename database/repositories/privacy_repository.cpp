@@ -32,26 +32,24 @@ core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor
     // A person who conducts a blinded study must not export its conditions.
     const auto closed = isSealedSitting(connection, actor, id);
     if (!closed || *closed) {
-        return closed ? sealedSession(connection, actor, summary) : tl::unexpected(closed.error());
+        CHIRON_TRY(closed);
+        return sealedSession(connection, actor, summary);
     }
     SessionReader reader(connection, actor);
     auto record = reader.session(id);
     auto trials = reader.trials(id);
     auto events = reader.events(id);
     auto comments = reader.comments(id);
-    if (!record || !trials || !events || !comments) {
-        return tl::unexpected(!record   ? record.error()
-                              : !trials ? trials.error()
-                              : !events ? events.error()
-                                        : comments.error());
-    }
+    CHIRON_TRY(record);
+    CHIRON_TRY(trials);
+    CHIRON_TRY(events);
+    CHIRON_TRY(comments);
     PersonSession session{
         *std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}, false};
     auto scores = ScoreRepository(connection, actor).scores(id);
-    if (scores) {
+    if (!core::failedAs(scores, core::ErrorCode::notFound)) {
+        CHIRON_TRY(scores);
         session.scores = *std::move(scores);
-    } else if (scores.error().code != core::ErrorCode::notFound) {
-        return tl::unexpected(scores.error());
     }
     return session;
 }
@@ -67,7 +65,8 @@ core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, Per
     for (; row && *row; row = query->next()) {
         comments.push_back(commentOf(*query));
     }
-    return row ? core::Result<std::vector<SessionComment>>(std::move(comments)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return comments;
 }
 
 core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId person) {
@@ -84,7 +83,8 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
         entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
                            query->text(4), query->text(5), query->integer(6), query->text(7)});
     }
-    return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return entries;
 }
 
 /// Removes from a person's audit entries the times at which sessions and runs of a blinded study ended,
@@ -97,8 +97,8 @@ core::Result<void> withholdEnds(Connection& connection, const Actor& actor,
         bool closed = entry.target == "session" && sealed->contains(entry.targetId);
         if (entry.target == "study_run") {
             const auto blinding = blindingOf(connection, StudyPart::run, entry.targetId);
-            if (!blinding && blinding.error().code != core::ErrorCode::notFound) {
-                return tl::unexpected(blinding.error());
+            if (!core::failedAs(blinding, core::ErrorCode::notFound)) {
+                CHIRON_TRY(blinding);
             }
             closed = blinding && blinding->seals();
         }
@@ -137,14 +137,12 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     auto audit = auditOf(m_connection, id);
     auto credential = Query::run(
         m_connection, "SELECT password_hash <> '', failures FROM credential WHERE person_id = ?", {id});
-    if (!person || !earlier || !sessions || !comments || !audit || !credential) {
-        return tl::unexpected(!person     ? person.error()
-                              : !earlier  ? earlier.error()
-                              : !sessions ? sessions.error()
-                              : !comments ? comments.error()
-                              : !audit    ? audit.error()
-                                          : credential.error());
-    }
+    CHIRON_TRY(person);
+    CHIRON_TRY(earlier);
+    CHIRON_TRY(sessions);
+    CHIRON_TRY(comments);
+    CHIRON_TRY(audit);
+    CHIRON_TRY(credential);
     held.person = *std::move(person);
     held.earlierNames = *std::move(earlier);
     held.commentsWritten = *std::move(comments);
@@ -173,8 +171,8 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
     CHIRON_TRY(requireWriter(m_connection));
     CHIRON_TRY(authorise(m_connection, m_actor, Action::erasePerson));
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
-                    : tl::unexpected(good.error());
+        CHIRON_TRY(good);
+        return core::fail(core::ErrorCode::badInput, "reason: expected a text");
     }
     if (person == Actor::kSimulatedPerson || person == m_actor.personId()) {
         return core::fail(core::ErrorCode::wrongUse,
@@ -183,9 +181,8 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
     const auto kind = selectText(m_connection, "SELECT kind FROM person WHERE id = ?", {person});
     const auto running = selectInteger(
         m_connection, "SELECT count(*) FROM session WHERE person_id = ? AND state = 'running'", {person});
-    if (!kind || !running) {
-        return tl::unexpected(!kind ? kind.error() : running.error());
-    }
+    CHIRON_TRY(kind);
+    CHIRON_TRY(running);
     if (!*kind) {
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(person));
     }

@@ -61,9 +61,9 @@ core::Result<NewSet> nextSet(Connection& connection, SessionId session) {
     const auto ordinal =
         selectInteger(connection, "SELECT max(ordinal) FROM score_set WHERE session_id = ?", {session});
     const auto running = selectText(connection, "SELECT state FROM session WHERE id = ?", {session});
-    if (!id || !ordinal || !running) {
-        return tl::unexpected(!id ? id.error() : !ordinal ? ordinal.error() : running.error());
-    }
+    CHIRON_TRY(id);
+    CHIRON_TRY(ordinal);
+    CHIRON_TRY(running);
     if (running->value_or("") == "running") {
         return core::fail(core::ErrorCode::wrongUse,
                           "session " + std::to_string(session) + " has not ended yet");
@@ -87,19 +87,19 @@ core::Result<Query> storedSet(Connection& connection, const Actor& actor, Sessio
                               std::optional<int> wanted) {
     const auto closed = isSealedSitting(connection, actor, session);
     if (!closed || *closed) {
-        return closed
-                   ? core::fail(
-                         core::ErrorCode::notFound,
-                         "session " + std::to_string(session) +
-                             " is a session of a blinded study: its scores come once the study is unblinded")
-                   : tl::unexpected(closed.error());
+        CHIRON_TRY(closed);
+        return core::fail(
+            core::ErrorCode::notFound,
+            "session " + std::to_string(session) +
+                " is a session of a blinded study: its scores come once the study is unblinded");
     }
     auto set = Query::run(
         connection,
         "SELECT id, passed, trials, seal FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
         "ORDER BY ordinal DESC LIMIT 1",
         {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
-    const auto found = set ? set->next() : tl::unexpected(set.error());
+    CHIRON_TRY(set);
+    const auto found = set->next();
     CHIRON_TRY(found);
     if (!*found) {
         return core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) + " has no scores");
@@ -123,7 +123,8 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
         done = storeGroup(m_connection, set->id, static_cast<int>(i), card.trials[i]);
         count += card.trials[i].size();
     }
-    const auto seal = done ? database::scoreSeal(m_connection, set->id) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    const auto seal = database::scoreSeal(m_connection, set->id);
     CHIRON_TRY(seal);
     const auto row = insertRow(m_connection, "score_set",
                                {{"id", set->id},
@@ -138,7 +139,8 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
     auto audited = appendAudit(
         m_connection, m_actor,
         {"storeScores", "score_set", set->id, *row, "{\"session\":" + std::to_string(session) + "}"});
-    return audited ? core::Result<int>(static_cast<int>(set->ordinal)) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return static_cast<int>(set->ordinal);
 }
 
 core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std::optional<int> wanted) {
@@ -162,7 +164,8 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
         }
         (trial < 0 ? card.metrics : card.trials[static_cast<std::size_t>(trial)]).push_back(metricOf(*query));
     }
-    return row ? core::Result<scoring::ScoreCard>(std::move(card)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return card;
 }
 
 core::Result<RowDigest> ScoreRepository::scoreSeal(SessionId session, std::optional<int> wanted) {

@@ -58,7 +58,8 @@ core::Result<SessionState> stateToJudge(Connection& connection, const Actor& act
                                         SessionId session, const std::string& reason) {
     auto may = mayWriteSession(connection, actor, decision, session);
     may = may ? checkReason(reason) : may;
-    return may ? sessionState(connection, session) : tl::unexpected(may.error());
+    CHIRON_TRY(may);
+    return sessionState(connection, session);
 }
 
 // Returns the voiding in the session's own row, which is there until it is reversed.
@@ -69,11 +70,12 @@ core::Result<std::vector<Column>> presentVoiding(Connection& connection, Session
         "AND target_id "
         "= session.id AND action = 'voidSession' ORDER BY sequence DESC LIMIT 1) FROM session WHERE id = ?",
         {session});
-    auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    auto row = query->next();
     if (!row || !*row || query->isNull(0) || query->isNull(2)) {
-        return row ? core::fail(core::ErrorCode::storage, "session " + std::to_string(session) +
-                                                              " does not say who voided it; run verify")
-                   : tl::unexpected(row.error());
+        CHIRON_TRY(row);
+        return core::fail(core::ErrorCode::storage,
+                          "session " + std::to_string(session) + " does not say who voided it; run verify");
     }
     return std::vector<Column>{{"decision", std::string("void")},
                                {"person_id", query->integer(0)},
@@ -90,8 +92,8 @@ core::Result<void> storeDecision(Connection& connection, const Actor& actor, Ses
     decision.push_back({"id", id});
     decision.push_back({"session_id", session});
     const auto row = insertRow(connection, "session_decision", std::move(decision));
-    return row ? appendAudit(connection, actor, {"reinstateSession", "session_decision", id, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor, {"reinstateSession", "session_decision", id, *row, "{}"});
 }
 
 } // namespace
@@ -123,9 +125,8 @@ core::Result<void> SessionRepository::reinstateSession(SessionId session, const 
     auto voiding = presentVoiding(m_connection, session);
     const auto before =
         selectText(m_connection, "SELECT state_before_void FROM session WHERE id = ?", {session});
-    if (!voiding || !before) {
-        return tl::unexpected(!voiding ? voiding.error() : before.error());
-    }
+    CHIRON_TRY(voiding);
+    CHIRON_TRY(before);
     auto stored = storeDecision(m_connection, m_actor, session, std::move(*voiding));
     stored = stored ? storeDecision(m_connection, m_actor, session,
                                     {{"decision", std::string("reinstate")},
@@ -158,8 +159,8 @@ core::Result<std::int64_t> SessionRepository::addComment(SessionId session, cons
                                                          std::optional<std::uint64_t> tick) {
     CHIRON_TRY(mayWriteSession(m_connection, m_actor, Action::addComment, session));
     if (auto good = checkText("comment", text, kMaximumFreeText); !good || text.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "comment: expected a text")
-                    : tl::unexpected(good.error());
+        CHIRON_TRY(good);
+        return core::fail(core::ErrorCode::badInput, "comment: expected a text");
     }
     CHIRON_TRY(tick ? checkMoment(m_connection, session, *tick) : core::Result<void>());
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session_comment");
@@ -175,7 +176,8 @@ core::Result<std::int64_t> SessionRepository::addComment(SessionId session, cons
                                 {"tick", tick ? Value(static_cast<std::int64_t>(*tick)) : Value()}});
     CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"addComment", "session_comment", id, *row, "{}"});
-    return audited ? core::Result<std::int64_t>(id) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return id;
 }
 
 } // namespace chiron::database

@@ -123,17 +123,18 @@ core::Result<std::vector<SessionDecision>> decisionsOn(Connection& connection, S
     for (; row && *row; row = query->next()) {
         decisions.push_back({query->text(0) == "void", query->integer(1), query->text(2), query->text(3)});
     }
-    return row ? core::Result<std::vector<SessionDecision>>(std::move(decisions))
-               : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return decisions;
 }
 
 // Actors who may list people see names; others see codes (and their own name).
 core::Result<bool> mayReadNames(Connection& connection, const Actor& actor) {
     const auto scope = authorise(connection, actor, Action::listPeople);
-    if (scope || scope.error().code == core::ErrorCode::notAllowed) {
-        return scope.has_value();
+    if (core::failedAs(scope, core::ErrorCode::notAllowed)) {
+        return false;
     }
-    return tl::unexpected(scope.error());
+    CHIRON_TRY(scope);
+    return true;
 }
 
 class Conditions {
@@ -193,7 +194,8 @@ std::string SessionReader::listSql(const std::string& where, bool newestFirst) {
 core::Result<std::vector<SessionSummary>>
 SessionReader::summaries(const std::string& where, const std::vector<Value>& values, bool newestFirst) {
     const auto names = mayReadNames(m_connection, m_actor);
-    const auto sealed = names ? sealedSittings(m_connection, m_actor) : tl::unexpected(names.error());
+    CHIRON_TRY(names);
+    const auto sealed = sealedSittings(m_connection, m_actor);
     CHIRON_TRY(sealed);
     auto query = Query::run(m_connection, listSql(where, newestFirst), values);
     CHIRON_TRY(query);
@@ -205,7 +207,8 @@ SessionReader::summaries(const std::string& where, const std::vector<Value>& val
             withhold(sessions.back());
         }
     }
-    return row ? core::Result<std::vector<SessionSummary>>(std::move(sessions)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return sessions;
 }
 
 core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const SessionFilter& filter) {
@@ -259,7 +262,8 @@ core::Result<std::vector<SessionRecord>> SessionReader::records(const std::strin
     for (; row && *row; row = query->next()) {
         records.push_back(recordOf(*query, *names, m_actor.personId()));
     }
-    return row ? core::Result<std::vector<SessionRecord>>(std::move(records)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return records;
 }
 
 core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
@@ -284,7 +288,8 @@ core::Result<SessionRecord> SessionReader::session(SessionId id) {
     allowed = allowed ? mayOpenSitting(m_connection, m_actor, id) : allowed;
     CHIRON_TRY(allowed);
     auto found = records("s.id = ?", {id});
-    auto decisions = found ? decisionsOn(m_connection, id) : tl::unexpected(found.error());
+    CHIRON_TRY(found);
+    auto decisions = decisionsOn(m_connection, id);
     CHIRON_TRY(decisions);
     if (!found->empty()) {
         found->front().decisions = std::move(*decisions);

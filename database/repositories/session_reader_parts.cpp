@@ -24,7 +24,8 @@ core::Result<std::vector<T>> rowsOf(Connection& connection, const Actor& actor, 
     for (; row && *row; row = query->next()) {
         values.push_back(make(*query));
     }
-    return row ? core::Result<std::vector<T>>(std::move(values)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return values;
 }
 
 } // namespace

@@ -38,7 +38,8 @@ core::Result<std::int64_t> contentIdFor(Connection& connection, const std::strin
     CHIRON_TRY(last);
     const std::int64_t id = last->value_or(0) + 1;
     const auto row = insertRow(connection, "content", {{"id", id}, {"sha256", sha256}, {"json", json}});
-    return row ? core::Result<std::int64_t>(id) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return id;
 }
 
 core::Result<void> checkSetup(const NewSession& setup) {
@@ -111,8 +112,8 @@ core::Result<void> mayRecordFor(Connection& connection, const Actor& actor, std:
 core::Result<void> storeSitting(Connection& connection, const Actor& actor, SessionId session,
                                 std::int64_t run) {
     const auto row = insertRow(connection, "study_sitting", {{"id", session}, {"run_id", run}});
-    return row ? appendAudit(connection, actor, {"beginSession", "study_sitting", session, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor, {"beginSession", "study_sitting", session, *row, "{}"});
 }
 
 } // namespace
@@ -127,9 +128,9 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
     const auto content = contentIdFor(m_connection, setup.contentJson);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session");
     const auto demonstration = selectText(m_connection, "SELECT value FROM meta WHERE key = 'demonstration'");
-    if (!content || !last || !demonstration) {
-        return tl::unexpected(!content ? content.error() : !last ? last.error() : demonstration.error());
-    }
+    CHIRON_TRY(content);
+    CHIRON_TRY(last);
+    CHIRON_TRY(demonstration);
     const SessionId id = last->value_or(0) + 1;
     auto columns = columnsOf(id, setup, *content);
     columns.push_back({"person_id", m_actor.personId()});
@@ -140,7 +141,8 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
     if (audited && setup.studyRun != 0) {
         audited = storeSitting(m_connection, m_actor, id, setup.studyRun);
     }
-    return audited ? core::Result<SessionId>(id) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return id;
 }
 
 core::Result<std::unique_ptr<recording::TrialSink>> SessionRepository::openSink(SessionId session) {
@@ -169,7 +171,8 @@ core::Result<void> SessionRepository::storeTrial(SessionId session, const TrialR
                                 {"marked", std::int64_t{trial.marked}},
                                 {"timed_out", std::int64_t{trial.timedOut}},
                                 {"scene_json", trial.sceneJson}});
-    return row ? core::Result<void>() : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return {};
 }
 
 core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<const EventRecord> events) {
@@ -205,9 +208,9 @@ core::Result<void> SessionRepository::finishSession(SessionId session, const Ses
         selectInteger(m_connection, "SELECT count(*) FROM chunk WHERE session_id = ?", {session});
     const auto bytes =
         selectInteger(m_connection, "SELECT sum(length(payload)) FROM chunk WHERE session_id = ?", {session});
-    if (!seal || !chunks || !bytes) {
-        return tl::unexpected(!seal ? seal.error() : !chunks ? chunks.error() : bytes.error());
-    }
+    CHIRON_TRY(seal);
+    CHIRON_TRY(chunks);
+    CHIRON_TRY(bytes);
     const auto row = updateRow(m_connection, "session", {{"id", session}},
                                {{"state", std::string(token(end.state))},
                                 {"ended_utc", core::utcNowIso8601()},

@@ -36,7 +36,8 @@ core::Result<std::string> SiteRepository::siteName() {
     CHIRON_TRY(authorise(m_connection, m_actor, Action::siteName));
     const auto name =
         selectText(m_connection, "SELECT value FROM meta WHERE key = ?", {std::string(kNameKey)});
-    return name ? core::Result<std::string>(name->value_or("")) : tl::unexpected(name.error());
+    CHIRON_TRY(name);
+    return name->value_or("");
 }
 
 core::Result<void> SiteRepository::setSiteName(const std::string& name) {

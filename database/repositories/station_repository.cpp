@@ -43,9 +43,10 @@ core::Result<std::int64_t> StationRepository::recordStationCheck(const StationCh
     const auto added = appendAudit(m_connection, m_actor,
                                    {"recordStationCheck", "meta", 0, std::nullopt,
                                     QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
-    const auto last = added ? selectInteger(m_connection, "SELECT max(sequence) FROM audit")
-                            : tl::unexpected(added.error());
-    return last ? core::Result<std::int64_t>(last->value_or(0)) : tl::unexpected(last.error());
+    CHIRON_TRY(added);
+    const auto last = selectInteger(m_connection, "SELECT max(sequence) FROM audit");
+    CHIRON_TRY(last);
+    return last->value_or(0);
 }
 
 } // namespace chiron::database

@@ -85,7 +85,8 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
 
 core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::int64_t number) {
     auto query = Query::run(connection, "SELECT s.design_json, s.unblinded FROM " + joinsTo(part), {number});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
     CHIRON_TRY(row);
     return *row ? blindingOf(query->text(0), query->integer(1) != 0)
                 : core::fail(core::ErrorCode::notFound,
@@ -125,7 +126,8 @@ std::string shownReason(const std::string& spoiled, const Blinding& blinding) {
 
 core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, ParticipantNumber participant) {
     const auto blinding = blindingOf(connection, StudyPart::participant, participant);
-    auto runs = blinding ? runRows(connection, participant) : tl::unexpected(blinding.error());
+    CHIRON_TRY(blinding);
+    auto runs = runRows(connection, participant);
     if (runs) {
         for (StudyRun& run : *runs) {
             run = sealed(std::move(run), *blinding);
@@ -136,8 +138,8 @@ core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, Participan
 
 core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connection, StudyNumber study) {
     const auto blinding = blindingOf(connection, StudyPart::study, study);
-    auto answers =
-        blinding ? answerRows(connection, "p.study_id = ?", study) : tl::unexpected(blinding.error());
+    CHIRON_TRY(blinding);
+    auto answers = answerRows(connection, "p.study_id = ?", study);
     if (answers) {
         for (QuestionnaireAnswer& answer : *answers) {
             answer = sealed(std::move(answer), *blinding);
@@ -236,10 +238,10 @@ core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNu
 
 core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection, StudyNumber study) {
     const auto blinding = blindingOf(connection, StudyPart::study, study);
-    const auto conditions =
-        blinding ? sealedConditionRows(connection, study) : tl::unexpected(blinding.error());
-    auto participants = conditions ? participantRows(connection, "p.study_id = ?", {study})
-                                   : tl::unexpected(conditions.error());
+    CHIRON_TRY(blinding);
+    const auto conditions = sealedConditionRows(connection, study);
+    CHIRON_TRY(conditions);
+    auto participants = participantRows(connection, "p.study_id = ?", {study});
     CHIRON_TRY(participants);
     std::vector<ParticipantQuality> rows;
     for (const Participant& participant : *participants) {
@@ -267,7 +269,8 @@ core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, S
         "CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END = s.key || ' / ' || "
         "k.sealed_code))",
         {session, session});
-    return found ? core::Result<bool>(found->value_or(0) > 0) : tl::unexpected(found.error());
+    CHIRON_TRY(found);
+    return found->value_or(0) > 0;
 }
 
 core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const Actor& actor) {
@@ -295,7 +298,8 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
     for (; row && *row; row = query->next()) {
         sealed.insert(query->integer(0));
     }
-    return row ? core::Result<std::set<SessionId>>(std::move(sealed)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return sealed;
 }
 
 core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session) {

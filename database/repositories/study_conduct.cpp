@@ -27,7 +27,8 @@ core::Result<void> mayRun(const StoredParticipant& who) {
 core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study,
                                              const std::string& name) {
     const auto blinding = blindingOf(connection, StudyPart::study, study.id);
-    const auto all = blinding ? sealedConditionRows(connection, study.id) : tl::unexpected(blinding.error());
+    CHIRON_TRY(blinding);
+    const auto all = sealedConditionRows(connection, study.id);
     CHIRON_TRY(all);
     const auto found = std::find_if(all->begin(), all->end(), [&](const SealedCondition& each) {
         return each.sealedCode == name || (!blinding->on && each.condition == name);
@@ -43,14 +44,18 @@ core::Result<SealedCondition> namedCondition(Connection& connection, const Store
 core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber participant,
                                                        const std::string& condition) {
     auto good = mayWriteStudy(m_connection, m_actor, Action::conductRun, StudyPart::participant, participant);
-    const auto who = good ? storedParticipant(m_connection, participant) : tl::unexpected(good.error());
-    const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
-    const auto named =
-        study ? namedCondition(m_connection, *study, condition) : tl::unexpected(study.error());
-    const auto blinding =
-        named ? blindingOf(m_connection, StudyPart::study, study->id) : tl::unexpected(named.error());
-    auto runs = blinding ? runRows(m_connection, participant) : tl::unexpected(blinding.error());
-    good = runs ? mayRun(*who) : tl::unexpected(runs.error());
+    CHIRON_TRY(good);
+    const auto who = storedParticipant(m_connection, participant);
+    CHIRON_TRY(who);
+    const auto study = storedStudy(m_connection, who->study);
+    CHIRON_TRY(study);
+    const auto named = namedCondition(m_connection, *study, condition);
+    CHIRON_TRY(named);
+    const auto blinding = blindingOf(m_connection, StudyPart::study, study->id);
+    CHIRON_TRY(blinding);
+    auto runs = runRows(m_connection, participant);
+    CHIRON_TRY(runs);
+    good = mayRun(*who);
     CHIRON_TRY(good);
     ConductedRun conducted{named->condition, named->sealedCode, {}, {}, study->designJson};
     for (StudyRun& run : *runs) {
@@ -74,7 +79,8 @@ core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber partici
                            {"conductRun", "study_participant", participant, std::nullopt,
                             "{\"sealed_code\":\"" + named->sealedCode + "\"}"});
     }
-    return good ? core::Result<ConductedRun>(std::move(conducted)) : tl::unexpected(good.error());
+    CHIRON_TRY(good);
+    return conducted;
 }
 
 } // namespace chiron::database

@@ -40,9 +40,8 @@ core::Result<void> checkPerson(Connection& connection, const NewParticipant& wan
     const auto known =
         selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {wanted.person});
     const auto ids = participantsOf(connection, wanted.person);
-    if (!known || !ids) {
-        return tl::unexpected(!known ? known.error() : ids.error());
-    }
+    CHIRON_TRY(known);
+    CHIRON_TRY(ids);
     if (!*known) {
         return bad("person " + std::to_string(wanted.person) + ": expected somebody with an account");
     }
@@ -92,7 +91,8 @@ core::Result<std::string> codeFor(Connection& connection, const NewParticipant& 
         const auto taken =
             selectInteger(connection, "SELECT 1 FROM study_participant WHERE code = ?", {code});
         if (!taken || !*taken) {
-            return taken ? core::Result<std::string>(code) : tl::unexpected(taken.error());
+            CHIRON_TRY(taken);
+            return code;
         }
     }
 }
@@ -105,7 +105,8 @@ core::Result<std::int64_t> freeRow(Connection& connection, const NewParticipant&
                                    "state <> 'withdrawn') SELECT min(r) FROM (SELECT 0 AS r UNION SELECT r + "
                                    "1 FROM taken) WHERE r NOT IN taken",
                                    {wanted.study, simulated});
-    return row ? core::Result<std::int64_t>(row->value_or(0)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return row->value_or(0);
 }
 
 core::Result<void> storeKey(Connection& connection, const Actor& actor, ParticipantNumber id,
@@ -116,26 +117,25 @@ core::Result<void> storeKey(Connection& connection, const Actor& actor, Particip
     const std::string json = QJsonDocument(key).toJson(QJsonDocument::Compact).toStdString();
     const auto row = insertRow(connection, "participant_key",
                                {{"id", id}, {"key_json", json}, {"key_hash", toBlob(textDigest(json))}});
-    return row ? appendAudit(connection, actor,
-                             {"enrolParticipant", "participant_key", id, *row,
-                              wanted.person != 0 ? R"({"account":true})" : "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(
+        connection, actor,
+        {"enrolParticipant", "participant_key", id, *row, wanted.person != 0 ? R"({"account":true})" : "{}"});
 }
 
 core::Result<void> setState(Connection& connection, const Actor& actor, ParticipantNumber participant,
                             std::string_view action, std::vector<Column> changes) {
     const auto row = updateRow(connection, "study_participant", {{"id", participant}}, std::move(changes));
-    return row ? appendAudit(connection, actor, {action, "study_participant", participant, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor, {action, "study_participant", participant, *row, "{}"});
 }
 
 core::Result<void> insertParticipant(Connection& connection, const Actor& actor, ParticipantNumber id,
                                      const NewParticipant& wanted) {
     const auto code = codeFor(connection, wanted);
     const auto order = freeRow(connection, wanted);
-    if (!code || !order) {
-        return tl::unexpected(!code ? code.error() : order.error());
-    }
+    CHIRON_TRY(code);
+    CHIRON_TRY(order);
     const auto row = insertRow(connection, "study_participant",
                                {{"id", id},
                                 {"study_id", wanted.study},
@@ -160,18 +160,16 @@ core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, c
                                                             PersonId person, const std::string& observer,
                                                             const std::string& wantedCode) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::enrolParticipant, StudyPart::study, study);
-    const auto stored = done ? studyInState(m_connection, study, "frozen") : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    const auto stored = studyInState(m_connection, study, "frozen");
     CHIRON_TRY(stored);
     const NewParticipant wanted{study, identity, person, observer, wantedCode};
     done = checkWanted(m_connection, m_actor, wanted);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_participant");
-    if (!done || !last) {
-        return tl::unexpected(!done ? done.error() : last.error());
-    }
+    CHIRON_TRY(done);
+    CHIRON_TRY(last);
     const ParticipantNumber id = last->value_or(0) + 1;
-    if (done = insertParticipant(m_connection, m_actor, id, wanted); !done) {
-        return tl::unexpected(done.error());
-    }
+    CHIRON_TRY(insertParticipant(m_connection, m_actor, id, wanted));
     const auto all = StudyReader(m_connection, m_actor).participants(study);
     CHIRON_TRY(all);
     const auto found =
@@ -186,8 +184,8 @@ core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const
     const auto person = selectInteger(
         m_connection, "SELECT id FROM person WHERE name_key = ? AND kind = 'person'", {nameKey(account)});
     if (!person || !*person) {
-        return person ? core::fail(core::ErrorCode::notFound, "there is no account \"" + account + "\"")
-                      : core::Result<Participant>(tl::unexpected(person.error()));
+        CHIRON_TRY(person);
+        return core::fail(core::ErrorCode::notFound, "there is no account \"" + account + "\"");
     }
     return enrolParticipant(study, identity, **person, {});
 }
@@ -195,9 +193,12 @@ core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const
 core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant, const std::string& sha256) {
     auto allowed =
         mayWriteStudy(m_connection, m_actor, Action::recordConsent, StudyPart::participant, participant);
-    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
-    const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
-    const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
+    CHIRON_TRY(allowed);
+    const auto who = storedParticipant(m_connection, participant);
+    CHIRON_TRY(who);
+    const auto study = studyInState(m_connection, who->study, "frozen");
+    CHIRON_TRY(study);
+    const auto design = designObject(study->designJson);
     CHIRON_TRY(design);
     if (who->state != ParticipantState::enrolled) {
         return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " +
@@ -226,7 +227,8 @@ core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant,
 core::Result<void> StudyRepository::completeParticipant(ParticipantNumber participant) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::completeParticipant, StudyPart::participant,
                                  participant);
-    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    const auto who = storedParticipant(m_connection, participant);
     CHIRON_TRY(who);
     const auto open = selectInteger(
         m_connection, "SELECT count(*) FROM study_run WHERE participant_id = ? AND state = 'open'",
@@ -247,23 +249,24 @@ core::Result<void> StudyRepository::completeParticipant(ParticipantNumber partic
 core::Result<void> StudyRepository::withdrawParticipant(ParticipantNumber participant, bool eraseRecordings) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::withdrawParticipant, StudyPart::participant,
                                  participant);
-    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    const auto who = storedParticipant(m_connection, participant);
     CHIRON_TRY(who);
     auto open = Query::run(
         m_connection, "SELECT id FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
     std::vector<StudyRunNumber> runs;
-    auto row = open ? open->next() : tl::unexpected(open.error());
+    CHIRON_TRY(open);
+    auto row = open->next();
     for (; row && *row; row = open->next()) {
         runs.push_back(open->integer(0));
     }
-    auto done = row ? core::Result<void>() : tl::unexpected(row.error());
-    for (std::size_t i = 0; done && i < runs.size(); ++i) {
-        done = endRun(m_connection, m_actor, runs[i], StudyRunState::stopped);
+    CHIRON_TRY(row);
+    for (const StudyRunNumber run : runs) {
+        CHIRON_TRY(endRun(m_connection, m_actor, run, StudyRunState::stopped));
     }
-    return done ? setState(m_connection, m_actor, participant, "withdrawParticipant",
-                           {{"state", std::string("withdrawn")},
-                            {"erase_recordings", std::int64_t{eraseRecordings}}})
-                : done;
+    return setState(
+        m_connection, m_actor, participant, "withdrawParticipant",
+        {{"state", std::string("withdrawn")}, {"erase_recordings", std::int64_t{eraseRecordings}}});
 }
 
 } // namespace chiron::database

@@ -57,8 +57,11 @@ StudySummary summaryOf(const Query& row) {
 // Returns whether the actor may look up which code is which, and therefore may see the conditions themselves.
 core::Result<bool> mayKnow(Connection& connection, const Actor& actor, StudyNumber study) {
     const auto may = authoriseForStudy(connection, actor, Action::sealedConditions, StudyPart::study, study);
-    return may || may.error().code == core::ErrorCode::notAllowed ? core::Result<bool>(may.has_value())
-                                                                  : tl::unexpected(may.error());
+    if (core::failedAs(may, core::ErrorCode::notAllowed)) {
+        return false;
+    }
+    CHIRON_TRY(may);
+    return true;
 }
 
 // Returns rows if the actor may read them.
@@ -101,12 +104,13 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
                                                 return StudyRecord{summaryOf(row), row.text(15), {}, false};
                                             });
     if (!found || found->empty()) {
-        return found ? core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study))
-                     : core::Result<StudyRecord>(tl::unexpected(found.error()));
+        CHIRON_TRY(found);
+        return core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study));
     }
     StudyRecord& record = found->front();
     const auto blinding = blindingOf(record.designJson, record.summary.unblinded);
-    const auto open = blinding ? mayKnow(m_connection, m_actor, study) : tl::unexpected(blinding.error());
+    CHIRON_TRY(blinding);
+    const auto open = mayKnow(m_connection, m_actor, study);
     CHIRON_TRY(open);
     record.blinding = *blinding;
     record.masked = blinding->on && !record.summary.sha256.empty() && !*open;
@@ -114,7 +118,8 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
         return std::move(record);
     }
     const auto codes = conditionCodes(study);
-    auto masked = codes ? maskedDesign(record.designJson, *blinding, *codes) : tl::unexpected(codes.error());
+    CHIRON_TRY(codes);
+    auto masked = maskedDesign(record.designJson, *blinding, *codes);
     CHIRON_TRY(masked);
     record.designJson = std::move(*masked);
     return std::move(record);
@@ -122,22 +127,21 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
 
 core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {
     const auto scope = authorise(m_connection, m_actor, Action::studyByKey);
-    const auto id =
-        scope ? selectInteger(m_connection,
-                              "SELECT id FROM study WHERE key = ? AND (author_id = 1 OR ?) ORDER BY "
-                              "author_id = 1, id LIMIT 1",
-                              {key, std::int64_t{*scope == Scope::all}})
-              : tl::unexpected(scope.error());
+    CHIRON_TRY(scope);
+    const auto id = selectInteger(m_connection,
+                                  "SELECT id FROM study WHERE key = ? AND (author_id = 1 OR ?) ORDER BY "
+                                  "author_id = 1, id LIMIT 1",
+                                  {key, std::int64_t{*scope == Scope::all}});
     CHIRON_TRY(id);
     return *id ? study(**id)
                : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
 }
 
 core::Result<std::vector<SealedCondition>> StudyReader::conditionCodes(StudyNumber study) {
-    auto allowed = authoriseForStudy(m_connection, m_actor, Action::conditionCodes, StudyPart::study, study);
-    const auto blinding =
-        allowed ? blindingOf(m_connection, StudyPart::study, study) : tl::unexpected(allowed.error());
-    auto codes = blinding ? sealedConditionRows(m_connection, study) : tl::unexpected(blinding.error());
+    CHIRON_TRY(authoriseForStudy(m_connection, m_actor, Action::conditionCodes, StudyPart::study, study));
+    const auto blinding = blindingOf(m_connection, StudyPart::study, study);
+    CHIRON_TRY(blinding);
+    auto codes = sealedConditionRows(m_connection, study);
     if (!codes || !blinding->designed) {
         return codes;
     }
@@ -153,13 +157,14 @@ core::Result<std::vector<SealedCondition>> StudyReader::sealedConditions(StudyNu
     auto done = mayWriteStudy(m_connection, m_actor, Action::sealedConditions, StudyPart::study, study);
     done = done ? appendAudit(m_connection, m_actor, {"sealedConditions", "study", study, std::nullopt, "{}"})
                 : done;
-    return done ? sealedConditionRows(m_connection, study) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return sealedConditionRows(m_connection, study);
 }
 
 core::Result<std::vector<Participant>> StudyReader::participants(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::participants, StudyPart::study, study);
-    return allowed ? participantRows(m_connection, "p.study_id = ?", {study})
-                   : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    return participantRows(m_connection, "p.study_id = ?", {study});
 }
 
 core::Result<Participant> StudyReader::participantByCode(StudyNumber study, const std::string& code) {
@@ -168,9 +173,9 @@ core::Result<Participant> StudyReader::participantByCode(StudyNumber study, cons
         m_connection, "p.study_id = ? AND upper(replace(p.code, '-', '')) = upper(replace(?, '-', ''))",
         {study, code});
     if (!found || found->empty()) {
-        return found ? core::fail(core::ErrorCode::notFound,
-                                  "there is no participant \"" + code + "\" in this study")
-                     : core::Result<Participant>(tl::unexpected(found.error()));
+        CHIRON_TRY(found);
+        return core::fail(core::ErrorCode::notFound,
+                          "there is no participant \"" + code + "\" in this study");
     }
     return std::move(found->front());
 }
@@ -178,23 +183,27 @@ core::Result<Participant> StudyReader::participantByCode(StudyNumber study, cons
 core::Result<std::vector<StudyRun>> StudyReader::runs(ParticipantNumber participant) {
     auto allowed =
         authoriseForStudy(m_connection, m_actor, Action::runs, StudyPart::participant, participant);
-    return allowed ? shownRuns(m_connection, participant) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    return shownRuns(m_connection, participant);
 }
 
 core::Result<std::vector<StudyTrial>> StudyReader::studyTrials(StudyRunNumber run) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::studyTrials, StudyPart::run, run);
-    return allowed ? shownTrials(m_connection, run) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    return shownTrials(m_connection, run);
 }
 
 core::Result<std::vector<ParticipantQuality>> StudyReader::trialQuality(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::trialQuality, StudyPart::study, study);
-    return allowed ? qualityRows(m_connection, study) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    return qualityRows(m_connection, study);
 }
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {
     auto allowed =
         authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
-    return allowed ? shownAnswers(m_connection, study) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    return shownAnswers(m_connection, study);
 }
 
 core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {

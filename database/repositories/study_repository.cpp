@@ -112,8 +112,8 @@ core::Result<void> changeStudy(Connection& connection, const Actor& actor, Study
                                std::string_view action, std::vector<Column> changes,
                                const std::string& detail = "{}") {
     const auto row = updateRow(connection, "study", {{"id", study}}, std::move(changes));
-    return row ? appendAudit(connection, actor, {action, "study", study, *row, detail})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor, {action, "study", study, *row, detail});
 }
 
 } // namespace
@@ -124,7 +124,8 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
     auto good = authoriseFor(m_connection, m_actor, Action::createStudy, m_actor.personId());
     good = good ? checkKey(key) : good;
     good = good ? checkText("title", title, kMaximumTitle) : good;
-    const auto design = good ? designObject(designJson) : tl::unexpected(good.error());
+    CHIRON_TRY(good);
+    const auto design = designObject(designJson);
     CHIRON_TRY(design);
     const bool simulated = m_actor.personId() == Actor::kSimulatedPerson;
     const auto taken =
@@ -132,9 +133,9 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
                       {key, std::int64_t{simulated}});
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study");
     const auto demonstration = selectText(m_connection, "SELECT value FROM meta WHERE key = 'demonstration'");
-    if (!taken || !last || !demonstration) {
-        return tl::unexpected(!taken ? taken.error() : !last ? last.error() : demonstration.error());
-    }
+    CHIRON_TRY(taken);
+    CHIRON_TRY(last);
+    CHIRON_TRY(demonstration);
     if (*taken) {
         return core::fail(core::ErrorCode::badInput, "study \"" + key + "\": there is one already (number " +
                                                          std::to_string(**taken) + "); expected another id");
@@ -154,14 +155,16 @@ core::Result<StudyNumber> StudyRepository::createStudy(const std::string& key, c
                                 {"demonstration", std::int64_t{demonstration->value_or("0") == "1"}}});
     CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"createStudy", "study", id, *row, "{}"});
-    return audited ? core::Result<StudyNumber>(id) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return id;
 }
 
 core::Result<void> StudyRepository::saveDraft(StudyNumber study, const std::string& designJson) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::saveDraft, StudyPart::study, study);
-    const auto stored =
-        allowed ? studyInState(m_connection, study, "draft") : tl::unexpected(allowed.error());
-    const auto design = stored ? designObject(designJson) : tl::unexpected(stored.error());
+    CHIRON_TRY(allowed);
+    const auto stored = studyInState(m_connection, study, "draft");
+    CHIRON_TRY(stored);
+    const auto design = designObject(designJson);
     CHIRON_TRY(design);
     std::vector<Column> changes{{"design_json", catalogue::canonicalJson(*design)}};
     const std::string title = (*design)["title"].toObject()["en"].toString().toStdString();
@@ -173,11 +176,16 @@ core::Result<void> StudyRepository::saveDraft(StudyNumber study, const std::stri
 
 core::Result<std::string> StudyRepository::freezeStudy(StudyNumber study) {
     auto done = mayWriteStudy(m_connection, m_actor, Action::freezeStudy, StudyPart::study, study);
-    const auto stored = done ? studyInState(m_connection, study, "draft") : tl::unexpected(done.error());
-    const auto json = stored ? frozenJson(*stored) : tl::unexpected(stored.error());
-    const auto design = json ? designObject(*json) : tl::unexpected(json.error());
-    done = design ? sealConditions(m_connection, *stored, *design) : tl::unexpected(design.error());
-    const auto seal = done ? conditionSeal(m_connection, study) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    const auto stored = studyInState(m_connection, study, "draft");
+    CHIRON_TRY(stored);
+    const auto json = frozenJson(*stored);
+    CHIRON_TRY(json);
+    const auto design = designObject(*json);
+    CHIRON_TRY(design);
+    done = sealConditions(m_connection, *stored, *design);
+    CHIRON_TRY(done);
+    const auto seal = conditionSeal(m_connection, study);
     CHIRON_TRY(seal);
     const std::string sha256 = catalogue::sha256Hex(*json);
     const QByteArray bytes = QByteArray::fromHex(QByteArray::fromStdString(sha256));
@@ -189,16 +197,16 @@ core::Result<std::string> StudyRepository::freezeStudy(StudyNumber study) {
                         {"frozen_utc", core::utcNowIso8601()}},
                        "{\"conditions\":\"" + hex(seal->data(), seal->size()) + "\",\"sha256\":\"" + sha256 +
                            "\"}");
-    return done ? core::Result<std::string>(sha256) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return sha256;
 }
 
 core::Result<void> StudyRepository::closeStudy(StudyNumber study) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::closeStudy, StudyPart::study, study);
-    const auto stored =
-        allowed ? studyInState(m_connection, study, "frozen") : tl::unexpected(allowed.error());
-    return stored
-               ? changeStudy(m_connection, m_actor, study, "closeStudy", {{"state", std::string("closed")}})
-               : core::Result<void>(tl::unexpected(stored.error()));
+    CHIRON_TRY(allowed);
+    const auto stored = studyInState(m_connection, study, "frozen");
+    CHIRON_TRY(stored);
+    return changeStudy(m_connection, m_actor, study, "closeStudy", {{"state", std::string("closed")}});
 }
 
 core::Result<void> StudyRepository::setStudyArchived(StudyNumber study, bool archived) {
@@ -210,7 +218,8 @@ core::Result<void> StudyRepository::setStudyArchived(StudyNumber study, bool arc
 
 core::Result<void> StudyRepository::unblindStudy(StudyNumber study, const std::string& reason) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::unblindStudy, StudyPart::study, study);
-    const auto stored = allowed ? storedStudy(m_connection, study) : tl::unexpected(allowed.error());
+    CHIRON_TRY(allowed);
+    const auto stored = storedStudy(m_connection, study);
     CHIRON_TRY(stored);
     if (stored->state == "draft") {
         return core::fail(core::ErrorCode::wrongUse,

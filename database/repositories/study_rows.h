@@ -23,7 +23,8 @@ core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& s
     for (; row && *row; row = query->next()) {
         rows.push_back(make(*query));
     }
-    return row ? core::Result<std::vector<T>>(std::move(rows)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return rows;
 }
 
 /// Returns participants (alias p of study_participant), by number.

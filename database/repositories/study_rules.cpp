@@ -39,7 +39,8 @@ core::Result<RowDigest> sealOf(Connection& connection, const std::string& sql, s
         const Blob digest = query->blob(0);
         bytes.insert(bytes.end(), digest.begin(), digest.end());
     }
-    return row ? core::Result<RowDigest>(bytesDigest(bytes)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return bytesDigest(bytes);
 }
 
 } // namespace
@@ -72,7 +73,8 @@ core::Result<void> mayWriteStudy(Connection& connection, const Actor& actor, Act
 core::Result<StoredStudy> storedStudy(Connection& connection, StudyNumber study) {
     auto query =
         Query::run(connection, "SELECT id, key, state, design_json FROM study WHERE id = ?", {study});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
     CHIRON_TRY(row);
     if (!*row) {
         return core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study));
@@ -95,7 +97,8 @@ core::Result<StoredParticipant> storedParticipant(Connection& connection, Partic
     auto query = Query::run(connection,
                             "SELECT id, study_id, code, state, simulated FROM study_participant WHERE id = ?",
                             {participant});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
     CHIRON_TRY(row);
     if (!*row) {
         return core::fail(core::ErrorCode::notFound,
@@ -144,9 +147,8 @@ core::Result<void> endRun(Connection& connection, const Actor& actor, StudyRunNu
                           StudyRunState state) {
     const auto seal = runSeal(connection, run);
     const auto trials = selectInteger(connection, "SELECT count(*) FROM study_trial WHERE run_id = ?", {run});
-    if (!seal || !trials) {
-        return tl::unexpected(!seal ? seal.error() : trials.error());
-    }
+    CHIRON_TRY(seal);
+    CHIRON_TRY(trials);
     const auto row = updateRow(connection, "study_run", {{"id", run}},
                                {{"state", std::string(token(state))},
                                 {"ended_utc", core::utcNowIso8601()},

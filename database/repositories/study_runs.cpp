@@ -27,7 +27,8 @@ core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run, con
         connection,
         "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
         {run.participant, condition});
-    const auto row = query ? query->next() : tl::unexpected(query.error());
+    CHIRON_TRY(query);
+    const auto row = query->next();
     CHIRON_TRY(row);
     return *row ? core::fail(core::ErrorCode::wrongUse, "condition " + run.condition + " has a run (number " +
                                                             std::to_string(query->integer(0)) + ") that is " +
@@ -65,9 +66,9 @@ core::Result<void> followsOn(Connection& connection, const Actor& actor, const S
         selectInteger(connection, "SELECT max(ordinal) FROM study_trial WHERE run_id = ?", {trial.run});
     const auto owner =
         selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {trial.session});
-    if (!state || !last || !owner) {
-        return tl::unexpected(!state ? state.error() : !last ? last.error() : owner.error());
-    }
+    CHIRON_TRY(state);
+    CHIRON_TRY(last);
+    CHIRON_TRY(owner);
     if (state->value_or("") != "open") {
         return core::fail(core::ErrorCode::wrongUse,
                           "run " + std::to_string(trial.run) + " has ended (" + state->value_or("") + ")");
@@ -149,9 +150,8 @@ core::Result<void> storeAnswer(Connection& connection, const Actor& actor,
                                      "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND "
                                      "questionnaire = ? AND item = ? AND coalesce(run_id, 0) = ?",
                                      {answer.participant, answer.questionnaire, answer.item, answer.run});
-    if (!last || !there) {
-        return tl::unexpected(!last ? last.error() : there.error());
-    }
+    CHIRON_TRY(last);
+    CHIRON_TRY(there);
     if (*there) {
         return core::fail(core::ErrorCode::wrongUse, "answer " + answer.questionnaire + "." + answer.item +
                                                          " was given already, and answers are not changed");
@@ -168,9 +168,9 @@ core::Result<void> storeAnswer(Connection& connection, const Actor& actor,
                                 {"utc", answer.utc.empty() ? core::utcNowIso8601() : answer.utc},
                                 {"run_id", answer.run != 0 ? Value(answer.run) : Value()},
                                 {"language", answer.language.empty() ? Value() : Value(answer.language)}});
-    return row ? appendAudit(connection, actor,
-                             {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"})
-               : core::Result<void>(tl::unexpected(row.error()));
+    CHIRON_TRY(row);
+    return appendAudit(connection, actor,
+                       {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"});
 }
 
 } // namespace
@@ -178,14 +178,15 @@ core::Result<void> storeAnswer(Connection& connection, const Actor& actor,
 core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
     auto good =
         mayWriteStudy(m_connection, m_actor, Action::beginRun, StudyPart::participant, run.participant);
-    const auto who = good ? storedParticipant(m_connection, run.participant) : tl::unexpected(good.error());
-    const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
+    CHIRON_TRY(good);
+    const auto who = storedParticipant(m_connection, run.participant);
+    CHIRON_TRY(who);
+    const auto study = studyInState(m_connection, who->study, "frozen");
     CHIRON_TRY(study);
     const auto named = namedCondition(m_connection, *study, run.condition);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_run");
-    if (!named || !last) {
-        return tl::unexpected(!named ? named.error() : last.error());
-    }
+    CHIRON_TRY(named);
+    CHIRON_TRY(last);
     good = mayRun(*who);
     good = good ? notYetRun(m_connection, run, named->condition) : good;
     good = good ? checkText("procedures", run.procedures, 1000) : good;
@@ -209,7 +210,8 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
                                 {"trials", std::int64_t{0}}});
     CHIRON_TRY(row);
     auto audited = appendAudit(m_connection, m_actor, {"beginRun", "study_run", id, *row, "{}"});
-    return audited ? core::Result<StudyRunNumber>(id) : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return id;
 }
 
 core::Result<void> StudyRepository::storeStudyTrial(const StudyTrial& trial) {
@@ -218,7 +220,8 @@ core::Result<void> StudyRepository::storeStudyTrial(const StudyTrial& trial) {
     good = good ? followsOn(m_connection, m_actor, trial) : good;
     CHIRON_TRY(good);
     const auto row = insertRow(m_connection, "study_trial", columnsOf(trial));
-    return row ? core::Result<void>() : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return {};
 }
 
 core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState state) {
@@ -240,10 +243,12 @@ StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer
     for (const QuestionnaireAnswer& answer : answers) {
         auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers,
                                       StudyPart::participant, answer.participant);
-        const auto who =
-            good ? storedParticipant(m_connection, answer.participant) : tl::unexpected(good.error());
-        const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
-        const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
+        CHIRON_TRY(good);
+        const auto who = storedParticipant(m_connection, answer.participant);
+        CHIRON_TRY(who);
+        const auto study = storedStudy(m_connection, who->study);
+        CHIRON_TRY(study);
+        const auto design = designObject(study->designJson);
         CHIRON_TRY(design);
         good = good ? mayAnswer(*who, *design, answer.questionnaire) : good;
         good = good ? checkAnswer(*design, answer) : good;

@@ -41,9 +41,9 @@ core::Result<SchemaVersion> pragmasOf(const std::string& name) {
     const auto id = selectInteger(**connection, "PRAGMA application_id");
     const auto version = selectInteger(**connection, "PRAGMA user_version");
     const auto tables = selectInteger(**connection, "SELECT count(*) FROM sqlite_schema");
-    if (!id || !version || !tables) {
-        return tl::unexpected(!id ? id.error() : !version ? version.error() : tables.error());
-    }
+    CHIRON_TRY(id);
+    CHIRON_TRY(version);
+    CHIRON_TRY(tables);
     return SchemaVersion{static_cast<int>(id->value_or(0)), static_cast<int>(version->value_or(0))};
 }
 

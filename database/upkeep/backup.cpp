@@ -25,9 +25,8 @@ std::string firstOf(const VerifyReport& report) {
 core::Result<void> writeErasures(Connection& reader, const std::string& siteFolder, const std::string& file) {
     auto erasures = readErasureList(erasureListFile(siteFolder));
     const auto stored = storedErasures(reader);
-    if (!erasures || !stored) {
-        return tl::unexpected(!erasures ? erasures.error() : stored.error());
-    }
+    CHIRON_TRY(erasures);
+    CHIRON_TRY(stored);
     for (const Erasure& erasure : *stored) {
         putErasure(*erasures, erasure);
     }
@@ -44,7 +43,8 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
     CHIRON_TRY(done);
     auto snapshot = Connection::open(copy, Connection::Mode::readOnly);
-    auto head = snapshot ? auditHead(**snapshot) : tl::unexpected(snapshot.error());
+    CHIRON_TRY(snapshot);
+    auto head = auditHead(**snapshot);
     CHIRON_TRY(head);
     if (const VerifyReport report = verifySnapshot(
             copy, &key, *head, {}, [cancel](std::uint64_t, std::uint64_t) { return !isSet(cancel); });
@@ -104,7 +104,8 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
     }
     info->folder = folder;
     const auto flushed = flushToDisk(QFileInfo(target).absolutePath().toStdString());
-    return flushed ? info : core::Result<SnapshotInfo>(tl::unexpected(flushed.error()));
+    CHIRON_TRY(flushed);
+    return info;
 }
 
 core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor, const std::string& folder,
@@ -120,7 +121,8 @@ core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor
         return appendAudit(writing.connection(), actor,
                            {"backup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + info->blake2b + "\"}"});
     });
-    return audited ? info : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return info;
 }
 
 } // namespace chiron::database

@@ -17,9 +17,8 @@ constexpr const char* kOutcomeKey = "backup_outcome";
 
 core::Result<QJsonObject> noteOf(Connection& connection, const char* key) {
     const auto text = selectText(connection, "SELECT value FROM meta WHERE key = ?", {std::string(key)});
-    return text ? core::Result<QJsonObject>(
-                      QJsonDocument::fromJson(QByteArray::fromStdString(text->value_or(""))).object())
-                : tl::unexpected(text.error());
+    CHIRON_TRY(text);
+    return QJsonDocument::fromJson(QByteArray::fromStdString(text->value_or(""))).object();
 }
 
 core::Result<void> putNote(Connection& connection, const char* key, const QJsonObject& json) {
@@ -27,7 +26,8 @@ core::Result<void> putNote(Connection& connection, const char* key, const QJsonO
         connection,
         "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
         {std::string(key), QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString()});
-    return done ? core::Result<void>() : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return {};
 }
 
 std::string text(const QJsonObject& json, const char* key) {
@@ -45,9 +45,8 @@ core::Result<BackupStanding> Upkeep::backupStanding(Connection& connection, cons
     const auto plan = noteOf(connection, kPlanKey);
     const auto outcome = plan ? noteOf(connection, kOutcomeKey) : plan;
     const auto demonstration = selectText(connection, "SELECT value FROM meta WHERE key = 'demonstration'");
-    if (!outcome || !demonstration) {
-        return tl::unexpected(!outcome ? outcome.error() : demonstration.error());
-    }
+    CHIRON_TRY(outcome);
+    CHIRON_TRY(demonstration);
     BackupStanding standing;
     const BackupPlan usual;
     standing.plan.on = plan->value(QLatin1String("on")).toBool(demonstration->value_or("0") != "1");

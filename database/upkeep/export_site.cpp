@@ -24,7 +24,8 @@ core::Result<std::vector<std::string>> namesOf(Connection& connection, const std
     for (; row && *row; row = query->next()) {
         names.push_back(query->text(0));
     }
-    return row ? core::Result<std::vector<std::string>>(std::move(names)) : tl::unexpected(row.error());
+    CHIRON_TRY(row);
+    return names;
 }
 
 QJsonValue jsonOf(const Value& value) {
@@ -47,9 +48,8 @@ QJsonValue jsonOf(const Value& value) {
 core::Result<void> writeTable(Connection& connection, const std::string& table, const std::string& name) {
     const auto columns = namesOf(connection, "SELECT name FROM pragma_table_info(?) ORDER BY cid", {table});
     auto rows = Query::run(connection, "SELECT * FROM " + table + " ORDER BY rowid");
-    if (!columns || !rows) {
-        return tl::unexpected(!columns ? columns.error() : rows.error());
-    }
+    CHIRON_TRY(columns);
+    CHIRON_TRY(rows);
     QSaveFile file(QString::fromStdString(name));
     bool written = file.open(QIODevice::WriteOnly);
     auto row = rows->next();
@@ -100,7 +100,8 @@ core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& a
     const auto audited = database.write([&](WriteContext& writing) {
         return appendAudit(writing.connection(), actor, {"exportSite", "meta", 0, std::nullopt, "{}"});
     });
-    return audited ? info : tl::unexpected(audited.error());
+    CHIRON_TRY(audited);
+    return info;
 }
 
 } // namespace chiron::database

@@ -74,11 +74,10 @@ core::Result<void> writeManifest(const std::string& folder, const Manifest& mani
 core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteKey& key) {
     const std::string name = folder + "/manifest.json";
     const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargestManifest_bytes);
-    if (!text) {
-        return text.error().code == core::ErrorCode::notFound
-                   ? core::fail(core::ErrorCode::notFound, name + ": there is no backup (no manifest)")
-                   : tl::unexpected(text.error());
+    if (core::failedAs(text, core::ErrorCode::notFound)) {
+        return core::fail(core::ErrorCode::notFound, name + ": there is no backup (no manifest)");
     }
+    CHIRON_TRY(text);
     QJsonObject json = QJsonDocument::fromJson(*text).object();
     const std::string signature = json.take("signature").toString().toStdString();
     if (json.isEmpty() || signature.empty()) {
@@ -107,8 +106,8 @@ core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& ke
     CHIRON_TRY(manifest);
     for (const auto& [path, expected] : manifest->files) {
         const auto digest = fileDigest(folder + "/" + path, cancel);
-        if (!digest && digest.error().code == core::ErrorCode::cancelled) {
-            return tl::unexpected(digest.error());
+        if (core::failedAs(digest, core::ErrorCode::cancelled)) {
+            CHIRON_TRY(digest);
         }
         if (!digest || *digest != expected) {
             return core::fail(core::ErrorCode::doesNotHold,

@@ -39,10 +39,12 @@ core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFold
 core::Result<bool> applyToParticipant(Connection& connection, const Actor& actor, const Erasure& erasure) {
     const auto participant = participantWithCode(connection, erasure.participantCode);
     if (!participant || *participant == 0) {
-        return participant ? core::Result<bool>(false) : tl::unexpected(participant.error());
+        CHIRON_TRY(participant);
+        return false;
     }
     const auto done = overwriteParticipant(connection, actor, *participant, erasure);
-    return done ? core::Result<bool>(true) : tl::unexpected(done.error());
+    CHIRON_TRY(done);
+    return true;
 }
 
 core::Result<int> applyErasures(Connection& connection, const Actor& actor,
@@ -98,17 +100,20 @@ core::Result<int> prepare(const std::string& copy, const Actor& actor, const Sit
     // WAL mode is set before the copy is put in place: a rollback journal left by a kill would lock out
     // readers.
     auto vacuumed = (*connection)->execute("VACUUM; PRAGMA journal_mode=WAL;");
-    return vacuumed ? applied : tl::unexpected(vacuumed.error());
+    CHIRON_TRY(vacuumed);
+    return applied;
 }
 
 core::Result<void> bringCopyUpToDate(const std::string& copy) {
     const MigrationRunner runner;
     const auto present = runner.inspect(copy);
     if (!present || present->version == runner.newest()) {
-        return present ? core::Result<void>() : tl::unexpected(present.error());
+        CHIRON_TRY(present);
+        return {};
     }
     auto connection = Connection::create(copy);
-    const auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
+    CHIRON_TRY(connection);
+    const auto migrated = runner.migrate(**connection);
     CHIRON_TRY(migrated);
     QFile::remove(QString::fromStdString(*migrated)); // the backup itself already is the copy of the old
                                                       // version
@@ -138,7 +143,8 @@ core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& 
     const auto applied = prepare(copy, *actor, key, &clock, *erasures);
     CHIRON_TRY(applied);
     const auto good = verified(head);
-    return good ? applied : core::Result<int>(tl::unexpected(good.error()));
+    CHIRON_TRY(good);
+    return applied;
 }
 
 } // namespace chiron::database

@@ -117,13 +117,15 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
                           target + ": the restored file cannot be put in place; the old one is " + kept);
     }
     auto flushed = flushToDisk(QFileInfo(QString::fromStdString(target)).absolutePath().toStdString());
-    return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
+    CHIRON_TRY(flushed);
+    return kept;
 }
 
 // Returns the head of a file's audit chain.
 core::Result<AuditHead> headOf(const std::string& file) {
     auto opened = Connection::open(file, Connection::Mode::readOnly);
-    return opened ? auditHead(**opened) : tl::unexpected(opened.error());
+    CHIRON_TRY(opened);
+    return auditHead(**opened);
 }
 
 void removeWithItsLog(const std::string& file) {
@@ -166,8 +168,8 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     made.keep();
     // The site's head follows the chain of the file that is now in place.
     const auto written = writeHeadFile(**key, *head);
-    return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied})
-                   : tl::unexpected(written.error());
+    CHIRON_TRY(written);
+    return RestoreInfo{request.targetFile, *kept, *applied};
 }
 
 } // namespace chiron::database

@@ -14,12 +14,12 @@ namespace {
 
 core::Result<bool> hasAdministrator(const std::string& file) {
     auto connection = Connection::open(file, Connection::Mode::readOnly);
+    CHIRON_TRY(connection);
     const auto count =
-        connection ? selectInteger(**connection,
-                                   "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
-                                   "instr(',' || roles || ',', ',admin,') > 0")
-                   : tl::unexpected(connection.error());
-    return count ? core::Result<bool>(count->value_or(0) > 0) : tl::unexpected(count.error());
+        selectInteger(**connection, "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
+                                    "instr(',' || roles || ',', ',admin,') > 0");
+    CHIRON_TRY(count);
+    return count->value_or(0) > 0;
 }
 
 tl::unexpected<Refusal> refusalOf(Refusal::Kind kind, const core::Error& error, std::int64_t wait_ns = 0) {

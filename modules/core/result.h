@@ -34,6 +34,11 @@ inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
     return tl::unexpected<Error>(Error{code, std::move(message)});
 }
 
+/// Whether the result failed for this reason, which the caller can answer; any other failure is passed on.
+template <class T> bool failedAs(const Result<T>& result, ErrorCode code) {
+    return !result && result.error().code == code;
+}
+
 } // namespace chiron::core
 
 /// Ends the function with the error of a Result that failed; otherwise does nothing. The function returns a

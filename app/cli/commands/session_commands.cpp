@@ -89,8 +89,8 @@ core::Result<void> writeFormat(const QString& format, session::SessionView& sess
 core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
     auto formats = arguments.list(QStringLiteral("format"));
-    if (!id || !formats)
-        return tl::unexpected(id ? formats.error() : id.error());
+    CHIRON_TRY(id);
+    CHIRON_TRY(formats);
     if (formats->isEmpty())
         *formats << QStringLiteral("csv");
     for (const QString& format : *formats) {

@@ -205,10 +205,11 @@ core::Result<CommandOutput> compareModels(const Arguments& arguments) {
     const auto shared = readParameters(arguments, QStringLiteral("shared"), QStringLiteral("lapse,guess"));
     const auto monteCarlo = arguments.integer(QStringLiteral("monte-carlo"), 0, 100'000, 0);
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!options || !tested || !shared)
-        return tl::unexpected(!options ? options.error() : !tested ? tested.error() : shared.error());
-    if (!monteCarlo || !seed)
-        return tl::unexpected(monteCarlo ? seed.error() : monteCarlo.error());
+    CHIRON_TRY(options);
+    CHIRON_TRY(tested);
+    CHIRON_TRY(shared);
+    CHIRON_TRY(monteCarlo);
+    CHIRON_TRY(seed);
     CHIRON_TRY(check(*options, *tested));
     options->monteCarlo = static_cast<int>(*monteCarlo);
     options->seed = *seed;

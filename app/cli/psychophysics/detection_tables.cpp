@@ -32,8 +32,8 @@ struct Row {
 core::Result<DiscriminationTask> ruleOf(const Arguments& arguments, const QString& task) {
     const auto rule = arguments.choice(QStringLiteral("rule"), {"differencing", "independent"}, {});
     const auto m = arguments.integer(QStringLiteral("m"), 2, 1000, 3);
-    if (!rule || !m)
-        return tl::unexpected(rule ? m.error() : rule.error());
+    CHIRON_TRY(rule);
+    CHIRON_TRY(m);
     const bool independent = *rule == u"independent" || (rule->isEmpty() && task == u"oddity");
     if (task == u"mafc" || task == u"2afc")
         return DiscriminationTask{Discrimination::mAfc, task == u"2afc" ? 2 : static_cast<int>(*m)};

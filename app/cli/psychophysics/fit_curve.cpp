@@ -31,8 +31,8 @@ core::Result<void> readSimulations(const Arguments& arguments, FitOptions& optio
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     for (const auto* whole : {&bootstrap, &monteCarlo, &curve})
         CHIRON_TRY(*whole);
-    if (!confidence || !seed)
-        return tl::unexpected(confidence ? seed.error() : confidence.error());
+    CHIRON_TRY(confidence);
+    CHIRON_TRY(seed);
     if (*bootstrap > 0) {
         options.bootstrap =
             arguments.has(QStringLiteral("nonparametric")) ? Bootstrap::nonparametric : Bootstrap::parametric;

@@ -273,15 +273,15 @@ core::Result<FitOptions> readCurve(const Arguments& arguments) {
     const auto function =
         arguments.choice(QStringLiteral("function"), sigmoidNames(), QStringLiteral("gauss"));
     const auto scale = arguments.choice(QStringLiteral("scale"), {"linear", "ln", "log10", "db"}, {});
-    if (!function || !scale)
-        return tl::unexpected(function ? scale.error() : function.error());
+    CHIRON_TRY(function);
+    CHIRON_TRY(scale);
     options.function = *sigmoidFromToken(function->toStdString());
     if (!scale->isEmpty())
         options.scale = stimulusScaleFromToken(scale->toStdString());
     const auto guess = asymptote(arguments, QStringLiteral("guess"), true, Asymptote::fixedAt(0.5));
     const auto lapse = asymptote(arguments, QStringLiteral("lapse"), false, Asymptote::fitted());
-    if (!guess || !lapse)
-        return tl::unexpected(guess ? lapse.error() : guess.error());
+    CHIRON_TRY(guess);
+    CHIRON_TRY(lapse);
     options.guess = *guess;
     options.lapse = *lapse;
     if (guess->rule == Asymptote::Rule::equal && lapse->rule == Asymptote::Rule::fixed &&

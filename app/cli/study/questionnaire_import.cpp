@@ -191,17 +191,19 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     const auto bytes = readInputFile(arguments.operand(1), kLargest);
     CHIRON_TRY(bytes);
     auto study = openStudy(arguments, Opening::forWriting);
-    const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson),
-                                                     study->record.summary.key)
-                              : tl::unexpected(study.error());
+    CHIRON_TRY(study);
+    const auto design =
+        catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
     CHIRON_TRY(design);
     const auto participants = study->reader().participants(study->number());
     const auto stored = study->reader().questionnaireAnswers(study->number());
-    if (!participants || !stored)
-        return tl::unexpected(participants ? stored.error() : participants.error());
+    CHIRON_TRY(participants);
+    CHIRON_TRY(stored);
     auto runs = doneRuns(study->reader(), *participants);
-    const auto asked = runs ? allQuestions(*study, *design) : tl::unexpected(runs.error());
-    const auto language = asked ? languageOf(arguments, *asked) : tl::unexpected(asked.error());
+    CHIRON_TRY(runs);
+    const auto asked = allQuestions(*study, *design);
+    CHIRON_TRY(asked);
+    const auto language = languageOf(arguments, *asked);
     CHIRON_TRY(language);
     SheetFaults faults;
     const bool incomplete = arguments.has(QStringLiteral("incomplete"));

@@ -154,11 +154,11 @@ QString textsBelow(const Questionnaire& questionnaire, const QuestionnaireSummar
 
 core::Result<CommandOutput> summariseQuestionnaires(const Arguments& arguments) {
     auto study = openStudy(arguments, Opening::forReading);
-    const auto design = study ? catalogue::readStudy(QByteArray::fromStdString(study->record.designJson),
-                                                     study->record.summary.key)
-                              : tl::unexpected(study.error());
-    const auto questionnaires =
-        design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
+    CHIRON_TRY(study);
+    const auto design =
+        catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
+    CHIRON_TRY(design);
+    const auto questionnaires = chosenQuestionnaires(arguments, *design);
     CHIRON_TRY(questionnaires);
     database::StudyReader reader = study->reader();
     const auto answers = reader.questionnaireAnswers(study->number());

@@ -136,16 +136,15 @@ core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
                               "\": a draft has no participants; expected a frozen study");
     const auto design =
         catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), summary.key);
-    const auto questionnaires =
-        design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
+    CHIRON_TRY(design);
+    const auto questionnaires = chosenQuestionnaires(arguments, *design);
     CHIRON_TRY(questionnaires);
     const auto participants = study->reader().participants(study->number());
     const auto answers = study->reader().questionnaireAnswers(study->number());
     const auto conditions = study->reader().conditionCodes(study->number());
-    if (!participants || !answers || !conditions)
-        return tl::unexpected(!participants ? participants.error()
-                              : !answers    ? answers.error()
-                                            : conditions.error());
+    CHIRON_TRY(participants);
+    CHIRON_TRY(answers);
+    CHIRON_TRY(conditions);
     std::vector<std::string> labels;
     for (const database::SealedCondition& each : *conditions)
         labels.push_back(session::labelOf(each));

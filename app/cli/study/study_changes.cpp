@@ -157,8 +157,8 @@ core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
     CHIRON_TRY(study);
     const auto design =
         catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
-    const auto participants =
-        design ? study->reader().participants(study->number()) : tl::unexpected(design.error());
+    CHIRON_TRY(design);
+    const auto participants = study->reader().participants(study->number());
     CHIRON_TRY(participants);
     auto done = changed(*study, [&](database::StudyRepository repository, database::StudyNumber number) {
         return repository.unblindStudy(number, reason);

@@ -162,8 +162,8 @@ core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
         return badInput(QStringLiteral("--observer: %1").arg(text(observer.error().message)));
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     const auto most = arguments.integer(QStringLiteral("trials"), 1, 100'000, 0);
-    if (!seed || !most)
-        return tl::unexpected(seed ? most.error() : seed.error());
+    CHIRON_TRY(seed);
+    CHIRON_TRY(most);
     request.observer = *observer;
     request.seed = *seed;
     request.seedGiven = arguments.has(QStringLiteral("seed"));
@@ -209,7 +209,8 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
                     .arg(quoted(file))
                     .toStdString());
         const auto wanted = findStudyToRun(nullptr, database::Actor::simulated(), name);
-        CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
+        CHIRON_TRY(wanted);
+        CHIRON_TRY(mayBeRun(*wanted, *request));
     }
     auto site = session::openSite(file.toStdString(), databaseOptions());
     CHIRON_TRY(site);
@@ -219,7 +220,8 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
                                  .login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
     CHIRON_TRY(actor);
     const auto wanted = findStudyToRun(site->database.get(), *actor, name);
-    CHIRON_TRY(wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()));
+    CHIRON_TRY(wanted);
+    CHIRON_TRY(mayBeRun(*wanted, *request));
     const auto ready = makeReady(*site->database, *actor, *wanted, *request);
     CHIRON_TRY(ready);
     request->study = ready->study.summary.id;

@@ -39,10 +39,9 @@ core::Result<StudyToRun> ofFile(database::Database* database, const database::Ac
     auto connection = database->openReader();
     CHIRON_TRY(connection);
     auto stored = findStudy(database::StudyReader(**connection, actor), QString::fromStdString(design->id));
-    if (!stored)
-        return stored.error().code == core::ErrorCode::notFound
-                   ? core::Result<StudyToRun>(StudyToRun{std::move(*design), std::nullopt})
-                   : tl::unexpected(stored.error());
+    if (core::failedAs(stored, core::ErrorCode::notFound))
+        return StudyToRun{std::move(*design), std::nullopt};
+    CHIRON_TRY(stored);
     if (stored->designJson != catalogue::studyJson(*design).toStdString())
         return core::fail(
             core::ErrorCode::badInput,
@@ -88,9 +87,9 @@ core::Result<StudyToRun> findStudyToRun(database::Database* database, const data
     auto connection = database->openReader();
     CHIRON_TRY(connection);
     auto found = findStudy(database::StudyReader(**connection, actor), name);
-    if (!found)
-        return found.error().code == core::ErrorCode::notFound ? ofContent(name)
-                                                               : tl::unexpected(found.error());
+    if (core::failedAs(found, core::ErrorCode::notFound))
+        return ofContent(name);
+    CHIRON_TRY(found);
     auto design = catalogue::readStudy(QByteArray::fromStdString(found->designJson), found->summary.key);
     CHIRON_TRY(design);
     return StudyToRun{std::move(*design), std::move(*found)};

@@ -51,8 +51,8 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
         if (study)
             return catalogue::readStudy(QByteArray::fromStdString(study->record.designJson),
                                         study->record.summary.key);
-        if (study.error().code != core::ErrorCode::notFound)
-            return tl::unexpected(study.error());
+        if (!core::failedAs(study, core::ErrorCode::notFound))
+            CHIRON_TRY(study);
     }
     const auto content = catalogue::StudyCatalogue::load();
     CHIRON_TRY(content);
@@ -328,8 +328,8 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
 core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     const auto runs = arguments.integer(QStringLiteral("runs"), 0, 100'000, 100);
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
-    if (!runs || !seed)
-        return tl::unexpected(runs ? seed.error() : runs.error());
+    CHIRON_TRY(runs);
+    CHIRON_TRY(seed);
     const auto observer = parseObserver(arguments.value(QStringLiteral("observer")).toStdString());
     if (!observer)
         return badInput(QStringLiteral("--observer: %1").arg(text(observer.error().message)));

@@ -36,10 +36,9 @@ core::Result<std::map<std::string, double>> valuesBefore(database::Connection& c
     if (!latest)
         return values;
     const auto card = database::ScoreRepository(connection, actor).scores(*latest);
-    if (!card)
-        return card.error().code == core::ErrorCode::notFound
-                   ? core::Result<std::map<std::string, double>>(values)
-                   : tl::unexpected(card.error());
+    if (core::failedAs(card, core::ErrorCode::notFound))
+        return values;
+    CHIRON_TRY(card);
     for (const scoring::MetricValue& metric : card->metrics)
         if (metric.value)
             values.emplace(metric.id, *metric.value);
@@ -117,8 +116,8 @@ core::Result<DebriefDetails> debriefDetailsOf(session::SessionView& session, dat
     std::stable_sort(details.comments.begin(), details.comments.end(),
                      [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
     auto card = database::ScoreRepository(connection, actor).scores(id);
-    if (!card && card.error().code != core::ErrorCode::notFound)
-        return tl::unexpected(card.error());
+    if (!core::failedAs(card, core::ErrorCode::notFound))
+        CHIRON_TRY(card);
     const bool judged = session.record().summary.state == database::SessionState::completed;
     const scoring::ScoreCard judgedBy = card && judged ? *card : scoring::ScoreCard{};
     details.worst = session::worstMoment(track, judgedBy, level.gates);

@@ -78,10 +78,10 @@ void DebriefScreen::load() {
     context().background().run(
         this,
         [&database, actor = context().actor(), id = sessionId(),
-         language = context().language().toStdString()](WorkToken&) {
+         language = context().language().toStdString()](WorkToken&) -> core::Result<DebriefHead> {
             auto connection = database.openReader();
-            return connection ? loadDebriefHead(**connection, actor, id, language)
-                              : core::Result<DebriefHead>(tl::unexpected(connection.error()));
+            CHIRON_TRY(connection);
+            return loadDebriefHead(**connection, actor, id, language);
         },
         [this](core::Result<DebriefHead> head) {
             if (head)
@@ -158,10 +158,11 @@ void DebriefScreen::loadDetails() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId()](WorkToken& token) {
+        [&database, actor = context().actor(),
+         id = sessionId()](WorkToken& token) -> core::Result<DebriefDetails> {
             auto connection = database.openReader();
-            return connection ? loadDebriefDetails(**connection, actor, id, token.flag())
-                              : core::Result<DebriefDetails>(tl::unexpected(connection.error()));
+            CHIRON_TRY(connection);
+            return loadDebriefDetails(**connection, actor, id, token.flag());
         },
         [this](core::Result<DebriefDetails> details) {
             if (details)
@@ -322,10 +323,10 @@ void DebriefScreen::writeReport(const QString& path) {
     context().background().run(
         this,
         [&database, actor = context().actor(), id = sessionId(),
-         language = context().language().toStdString()](WorkToken&) {
+         language = context().language().toStdString()](WorkToken&) -> core::Result<report::ReportData> {
             auto connection = database.openReader();
-            return connection ? loadReport(**connection, actor, id, language)
-                              : core::Result<report::ReportData>(tl::unexpected(connection.error()));
+            CHIRON_TRY(connection);
+            return loadReport(**connection, actor, id, language);
         },
         [this, path](core::Result<report::ReportData> loaded) {
             m_report->setEnabled(true);

@@ -151,8 +151,9 @@ core::Result<void> readForAdmin(database::Database& database, database::Connecti
     filter.newestFirst = true;
     filter.limit = 1;
     const auto newest = reader.listSessions(filter);
-    if (!newest || newest->empty())
-        return newest ? core::Result<void>() : tl::unexpected(newest.error());
+    CHIRON_TRY(newest);
+    if (newest->empty())
+        return {};
     if (const auto record = reader.session(newest->front().id)) {
         const auto loop = session::loopReportFrom(record->loopJson);
         data.lastLoopTimed = loop && loop->realtime;

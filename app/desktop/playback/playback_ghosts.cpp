@@ -24,8 +24,8 @@ void PlaybackScreen::loadGhosts() {
         [&database, actor = context().actor(), record = m_data->record, metric = std::move(metric),
          lowerIsBetter](WorkToken&) -> core::Result<std::vector<GhostCandidate>> {
             auto connection = database.openReader();
-            return connection ? listGhosts(**connection, actor, record, metric, lowerIsBetter)
-                              : tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
+            return listGhosts(**connection, actor, record, metric, lowerIsBetter);
         },
         [this](core::Result<std::vector<GhostCandidate>> candidates) {
             if (candidates)

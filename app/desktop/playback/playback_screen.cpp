@@ -299,8 +299,8 @@ void PlaybackScreen::loadComments() {
         [&database, actor = context().actor(),
          id = sessionId()](WorkToken&) -> core::Result<std::vector<NamedComment>> {
             auto connection = database.openReader();
-            return connection ? desktop::loadComments(**connection, actor, id)
-                              : tl::unexpected(connection.error());
+            CHIRON_TRY(connection);
+            return desktop::loadComments(**connection, actor, id);
         },
         [this](core::Result<std::vector<NamedComment>> comments) {
             if (!comments)

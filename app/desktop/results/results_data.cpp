@@ -75,8 +75,8 @@ core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection
         if (!progress(static_cast<double>(attempts.size()) / static_cast<double>(sessions->size())))
             return stopped();
         auto card = scores.scores(summary.id);
-        if (!card && card.error().code != core::ErrorCode::notFound)
-            return tl::unexpected(card.error());
+        if (!core::failedAs(card, core::ErrorCode::notFound))
+            CHIRON_TRY(card);
         attempts.push_back(
             {std::move(summary), card ? std::move(card->metrics) : std::vector<scoring::MetricValue>{}});
     }

@@ -9,12 +9,12 @@ core::Result<PeopleNames> PeopleNames::read(database::Connection& connection, co
     database::AccountRepository accounts(connection, actor);
     PeopleNames names;
     auto people = accounts.listPeople();
-    if (!people && people.error().code != core::ErrorCode::notAllowed)
-        return tl::unexpected(people.error());
+    if (!core::failedAs(people, core::ErrorCode::notAllowed))
+        CHIRON_TRY(people);
     if (!people) {
         const auto self = accounts.person(actor.personId());
-        if (!self && self.error().code != core::ErrorCode::notAllowed)
-            return tl::unexpected(self.error());
+        if (!core::failedAs(self, core::ErrorCode::notAllowed))
+            CHIRON_TRY(self);
         people = self ? std::vector<database::Person>{*self} : std::vector<database::Person>{};
     }
     for (const database::Person& person : *people)

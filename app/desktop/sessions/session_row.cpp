@@ -58,8 +58,8 @@ core::Result<SessionRow> readSessionRow(const database::Database& database, cons
     auto record = database::SessionReader(**reader, actor).session(session);
     CHIRON_TRY(record);
     const auto names = PeopleNames::read(**reader, actor);
-    return names ? core::Result<SessionRow>(makeSessionRow(std::move(record->summary), titles, *names))
-                 : tl::unexpected(names.error());
+    CHIRON_TRY(names);
+    return makeSessionRow(std::move(record->summary), titles, *names);
 }
 
 } // namespace chiron::desktop

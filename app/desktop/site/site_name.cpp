@@ -9,7 +9,8 @@ core::Result<QString> readSiteName(database::Database& database, const database:
     auto reader = database.openReader();
     CHIRON_TRY(reader);
     const auto name = database::SiteRepository(**reader, actor).siteName();
-    return name ? core::Result<QString>(QString::fromStdString(*name)) : tl::unexpected(name.error());
+    CHIRON_TRY(name);
+    return QString::fromStdString(*name);
 }
 
 } // namespace chiron::desktop

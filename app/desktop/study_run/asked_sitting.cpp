@@ -14,7 +14,8 @@ core::Result<database::StudyNumber> askedStudy(database::StudyReader& reader, co
     bool number = false;
     const qlonglong given = study.toLongLong(&number);
     const auto found = number ? reader.study(given) : reader.studyByKey(study.toStdString());
-    return found ? core::Result<database::StudyNumber>(found->summary.id) : tl::unexpected(found.error());
+    CHIRON_TRY(found);
+    return found->summary.id;
 }
 
 void openAsked(AppContext& context, const AskedSitting& asked) {

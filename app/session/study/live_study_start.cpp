@@ -12,7 +12,8 @@ namespace chiron::session {
 SittingResult<std::unique_ptr<LiveStudy>>
 LiveStudy::start(database::Database& database, const database::Actor& actor, LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
-    return sitting ? start(database, actor, *sitting, std::move(request)) : tl::unexpected(sitting.error());
+    CHIRON_TRY(sitting);
+    return start(database, actor, *sitting, std::move(request));
 }
 
 SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database,

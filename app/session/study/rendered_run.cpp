@@ -149,8 +149,7 @@ core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
                             [&] { return request.trialsAtMost > 0 && scored >= request.trialsAtMost; },
                             request.design.trial.exploreLimit_s});
     CHIRON_TRY(runDirected(participant->station, *level, request.seed, director));
-    if (!director.recorded())
-        return tl::unexpected(director.recorded().error());
+    CHIRON_TRY(director.recorded());
     run.ticks = director.ticks();
     run.completed = progress->done() && !progress->gaveUp();
     run.procedures = progress->procedureIds();

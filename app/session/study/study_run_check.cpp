@@ -18,12 +18,14 @@ core::Result<void> checkStation(const psychophysics::StudyDesign& design,
         auto level = marks->level(design, condition, 1, {});
         CHIRON_TRY(level);
         const auto station = marks->scripted(*level, trainee, 1);
-        return station ? core::Result<void>() : tl::unexpected(station.error());
+        CHIRON_TRY(station);
+        return {};
     }
     auto level = studyLevel(design, condition);
     CHIRON_TRY(level);
     const auto participant = participantStation(*level, 1);
-    return participant ? core::Result<void>() : tl::unexpected(participant.error());
+    CHIRON_TRY(participant);
+    return {};
 }
 
 core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind,
@@ -32,7 +34,8 @@ core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool
     const auto limit = limitOnStation(design, blind, condition, request, limits);
     CHIRON_TRY(limit);
     const auto progress = StudyProgress::begin(design, condition.id, 1, *limit);
-    return progress ? core::Result<void>() : tl::unexpected(progress.error());
+    CHIRON_TRY(progress);
+    return {};
 }
 
 } // namespace

@@ -74,8 +74,7 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(sitting.database, sitting.actor, request);
     CHIRON_TRY(result);
-    if (!director.recorded())
-        return tl::unexpected(director.recorded().error());
+    CHIRON_TRY(director.recorded());
     return result->session;
 }
 

@@ -167,8 +167,9 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
     });
     CHIRON_TRY(ended);
     auto now = openStudy(database, actor, study.record.summary.id, study.participant.code);
-    if (!now || !openConditions(*now).empty())
-        return now ? core::Result<void>() : tl::unexpected(now.error());
+    CHIRON_TRY(now);
+    if (!openConditions(*now).empty())
+        return {};
     return database.write([&](database::WriteContext& context) {
         return database::StudyRepository(context.connection(), actor)
             .completeParticipant(study.participant.id);

@@ -52,7 +52,8 @@ public:
     /// make them here, because every reader of a study calls this function.
     virtual core::Result<void> check(const ProcedureSpec& spec) const {
         const auto made = factory(spec);
-        return made ? core::Result<void>() : tl::unexpected(made.error());
+        CHIRON_TRY(made);
+        return {};
     }
     /// Returns the specification with which a new procedure starts in this condition.
     virtual ProcedureSpec usual(const Condition& condition) const = 0;

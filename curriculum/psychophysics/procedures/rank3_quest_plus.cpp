@@ -138,7 +138,8 @@ core::Result<Checked> checked(Rank3Spec spec) {
 
 core::Result<void> checkRank3(const Rank3Spec& spec) {
     const auto good = checked(spec);
-    return good ? core::Result<void>() : tl::unexpected(good.error());
+    CHIRON_TRY(good);
+    return {};
 }
 
 core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& given) {

@@ -65,8 +65,7 @@ core::Result<database::SessionId> ApexSessions::run(database::Database& database
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(database, actor, request);
     CHIRON_TRY(result);
-    if (!(*director)->recorded())
-        return tl::unexpected((*director)->recorded().error());
+    CHIRON_TRY((*director)->recorded());
     return result->session;
 }
 
