@@ -23,6 +23,7 @@ private slots:
     void thePlannedObserverSaysSo();
     void planTellsOfErrors();
     void exportsHoldTheErrors();
+    void eachKindOfConditionHasItsTable();
     void refusals();
 
 private:
@@ -236,6 +237,53 @@ void TestCliApexStudy::exportsHoldTheErrors() {
     QFile tsv(m_folder.filePath("out/bids/sub-S01/beh/" + beh.first()));
     QVERIFY(tsv.open(QIODevice::ReadOnly));
     QVERIFY(tsv.readLine().contains("mark_error_y"));
+}
+
+/// A design of a sphere and of two tubes: errors of marks in one table, Weber fractions in the other.
+void TestCliApexStudy::eachKindOfConditionHasItsTable() {
+    const auto designOf = [](const char* name) {
+        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content/studies/%1.json").arg(name));
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                              : QJsonObject();
+    };
+    QJsonObject design = designOf("apex"), tubes = designOf("stiffness_2afc")["conditions"][0].toObject();
+    QJsonObject sphere = design["conditions"][0].toObject();
+    sphere["procedures"] =
+        QJsonArray{QJsonObject{{"kind", "constant"}, {"levels", QJsonArray{0}}, {"repeats", 2}}};
+    const QJsonArray levels{0.1, 0.5};
+    QJsonObject stimulus = tubes["stimulus"].toObject();
+    stimulus["differences"] = levels;
+    tubes["stimulus"] = stimulus;
+    tubes["scale"] = "difference";
+    tubes["procedures"] = QJsonArray{QJsonObject{{"kind", "constant"}, {"levels", levels}, {"repeats", 4}}};
+    design["id"] = "sphere_and_tubes";
+    design["conditions"] = QJsonArray{sphere, tubes};
+    QFile file(m_folder.filePath("mixed.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(design).toJson()) > 0);
+    file.close();
+    const QString database = m_folder.filePath("mixed.db");
+    const CliRun run = runCli({"study", "run", file.fileName(), "--participant", "S01", "--observer",
+                               "weber:0.1", "--seed", "4", "--database", database});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    const QList<QByteArray> lines =
+        runCli({"study", "analyse", "sphere_and_tubes", "--database", database}).out.split('\n');
+    const auto rowsOf = [&](const char* heading) { // of the table that has a column of that name
+        QList<QByteArray> rows;
+        bool inside = false;
+        for (const QByteArray& line : lines) {
+            if (line.startsWith("participant "))
+                inside = line.contains(heading);
+            else if (inside && (line.startsWith("S01 ") || line.startsWith("(group of 1) ")))
+                rows << line;
+        }
+        return rows;
+    };
+    QCOMPARE(rowsOf("Weber").size(), 2); // the participant's and the group's
+    for (const QByteArray& row : rowsOf("Weber"))
+        QVERIFY2(row.contains(" tube_60 ") && row.count("prior_bound") <= 1, row.constData());
+    QCOMPARE(rowsOf("bias x (mm)").size(), 2);
+    for (const QByteArray& row : rowsOf("bias x (mm)"))
+        QVERIFY2(row.contains(" sphere_20mm "), row.constData());
 }
 
 void TestCliApexStudy::refusals() {

@@ -57,6 +57,7 @@ QString warningTokens(const std::vector<psychophysics::Warning>& warnings) {
     QStringList tokens;
     for (const psychophysics::Warning& warning : warnings)
         tokens << QString::fromUtf8(warningToken(warning.kind));
+    tokens.removeDuplicates(); // both ends of an interval may be the prior's
     return tokens.join(QStringLiteral(", "));
 }
 

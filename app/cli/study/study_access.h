@@ -36,7 +36,8 @@ QJsonObject estimateJson(const psychophysics::RunEstimate& estimate, bool blinde
 QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone);
 /// "felt" or "shown"; null if nothing was rendered.
 QJsonValue forceClassJson(const std::optional<bool>& felt);
-QString warningTokens(const std::vector<psychophysics::Warning>& warnings); ///< separated by commas
+QString
+warningTokens(const std::vector<psychophysics::Warning>& warnings); ///< each once, separated by commas
 QJsonObject participantJson(const database::Participant& participant);
 
 // Handlers of the study commands.
