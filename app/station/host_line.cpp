@@ -3,6 +3,7 @@
 
 #include <arpa/inet.h>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -61,8 +62,17 @@ core::Result<void> HostLine::listen() {
     return {};
 }
 
+core::Result<void> HostLine::openHidraw(const std::string& folder, const std::string& serialNumber) {
+    m_kind = Kind::hidraw;
+    m_serialNumber = serialNumber;
+    auto node = HidrawNode::serve(folder);
+    CHIRON_TRY(node);
+    m_node = *std::move(node);
+    return plug();
+}
+
 core::Result<void> HostLine::openTerminal(const std::string& link) {
-    m_terminal = true;
+    m_kind = Kind::terminal;
     m_link = link;
     return openPair();
 }
@@ -98,8 +108,17 @@ core::Result<void> HostLine::openPair() {
 }
 
 std::string HostLine::address() const {
-    if (m_terminal)
+    switch (m_kind) {
+    case Kind::terminal:
         return "serial:" + (m_link.empty() ? m_path : m_link);
+    case Kind::hidraw: {
+        char ids[16];
+        (void)std::snprintf(ids, sizeof ids, "%04x:%04x", kTrialVendor, kTrialProduct);
+        return std::string("hid:") + ids + ":" + m_serialNumber;
+    }
+    case Kind::tcp:
+        break;
+    }
     return "tcp:" + (m_host == "0.0.0.0" ? std::string("localhost") : m_host) + ":" + std::to_string(m_port);
 }
 
@@ -121,7 +140,7 @@ bool HostLine::admitHost() {
 }
 
 void HostLine::hostGone() noexcept {
-    if (!m_terminal)
+    if (m_kind == Kind::tcp)
         m_stream.close();
 }
 
@@ -129,10 +148,21 @@ void HostLine::unplug() noexcept {
     m_stream.close();
     closeIt(m_listener);
     closeIt(m_otherEnd);
+    if (m_node)
+        m_node->unplug();
 }
 
 core::Result<void> HostLine::plug() {
-    return m_terminal ? openPair() : listen();
+    switch (m_kind) {
+    case Kind::terminal:
+        return openPair();
+    case Kind::hidraw:
+        m_stream = m_node->plugIn();
+        return m_stream.isOpen() ? core::Result<void>() : failed("a line to the node");
+    case Kind::tcp:
+        break;
+    }
+    return listen();
 }
 
 } // namespace chiron::station

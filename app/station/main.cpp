@@ -37,14 +37,15 @@ std::string mechanisms() {
 void printHelp() {
     std::printf(
         "chiron-station: a haptic station as a program. It speaks the station protocol\n"
-        "(docs/station-protocol.md) on a TCP port or a pseudo-terminal, with a simulated mechanism in a\n"
-        "scripted hand behind it.\n\n"
+        "(docs/station-protocol.md) on a TCP port, a pseudo-terminal or a USB HID node, with a simulated\n"
+        "mechanism in a scripted hand behind it.\n\n"
         "  --mechanism ID     %s\n"
         "  --jaw              the mechanism as a grasper, where it has a jaw\n"
         "  --tcp PORT         listen on this port; 0: any free one\n"
         "  --bind ADDRESS     of this machine, for --tcp; default: 127.0.0.1, this machine alone\n"
         "  --pty              a pseudo-terminal instead, as a serial line\n"
         "  --link PATH        with --pty: make PATH a link to it\n"
+        "  --fuse FOLDER      a file FOLDER/hidraw0 instead, as the node of a USB HID device\n"
         "  --hand WHAT        still: the hand holds the tool; sine: moves it by 3 mm to and fro;\n"
         "                     press: goes 40 mm down after three seconds, and circles; default: still\n"
         "  --lockstep         one tick for each command of the host, instead of 1 kHz by the clock\n"
@@ -59,7 +60,7 @@ void printHelp() {
 }
 
 struct Options {
-    std::string mechanism, bind = "127.0.0.1", link, fault, serial;
+    std::string mechanism, bind = "127.0.0.1", link, fuse, fault, serial = "emulated-0001";
     std::optional<std::uint64_t> port;
     bool pty = false, jaw = false, lockstep = false, once = false, help = false;
     station::HoldingHand::Motion hand;
@@ -108,6 +109,8 @@ core::Result<Options> readOptions(int count, char** words) {
             options.bind = value;
         else if (name == "--link")
             options.link = value;
+        else if (name == "--fuse")
+            options.fuse = value;
         else if (name == "--fault")
             options.fault = value;
         else if (name == "--serial")
@@ -127,8 +130,8 @@ core::Result<Options> readOptions(int count, char** words) {
     }
     if (options.mechanism.empty())
         return refuse("--mechanism is missing");
-    if (options.port.has_value() == options.pty)
-        return refuse("one of --tcp PORT and --pty is expected");
+    if (int{options.port.has_value()} + int{options.pty} + int{!options.fuse.empty()} != 1)
+        return refuse("one of --tcp PORT, --pty and --fuse FOLDER is expected");
     return options;
 }
 
@@ -139,8 +142,7 @@ core::Result<void> run(const Options& options) {
     configuration.lockstep = options.lockstep;
     if (options.jaw)
         configuration.shape = devices::ToolShape::grasper;
-    if (!options.serial.empty())
-        configuration.serialNumber = options.serial;
+    configuration.serialNumber = options.serial;
     configuration.strategy = std::make_unique<station::HoldingHand>(options.hand);
     if (!options.fault.empty()) {
         const auto plan = station::readFaultPlan(options.fault);
@@ -150,8 +152,9 @@ core::Result<void> run(const Options& options) {
     auto made = station::EmulatedStation::create(std::move(configuration));
     CHIRON_TRY(made);
     station::HostLine line;
-    CHIRON_TRY(options.pty ? line.openTerminal(options.link)
-                           : line.listenTcp(options.bind, static_cast<std::uint16_t>(*options.port)));
+    CHIRON_TRY(options.pty    ? line.openTerminal(options.link)
+               : options.port ? line.listenTcp(options.bind, static_cast<std::uint16_t>(*options.port))
+                              : line.openHidraw(options.fuse, options.serial));
     std::fprintf(stderr, "chiron-station: %s at %s\n", (*made)->descriptor().model.c_str(),
                  line.address().c_str());
     const station::RunLimits limits{options.ticks, options.once};

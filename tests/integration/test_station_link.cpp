@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The station driver against the emulated station, over TCP and over a pseudo-terminal: what a host learns of
-// it, that the line changes nothing, that it lets go when its host dies, and every fault.
+// The station driver against the emulated station, over TCP, a pseudo-terminal and USB HID: what a host
+// learns of it, that the line changes nothing, that it lets go when its host dies, and every fault.
 #include "devices/drivers/station/station_tool.h"
 #include "haptics/haptic_loop.h"
 #include "realtime/periodic_runner.h"
 #include "support/haptic_bench.h"
+#include "support/hid_computer.h"
 #include "support/patience.h"
 #include "support/station_bench.h"
 
@@ -25,6 +26,19 @@ using namespace chiron::tests;
 namespace {
 
 constexpr std::int64_t kTick_ns = 1'000'000;
+
+/// Whether USB HID devices can be plugged in here that are not there.
+bool g_hid = false;
+
+#define SKIP_WITHOUT(wire)                                                                                   \
+    if (Wire(wire) == Wire::hid && !g_hid)                                                                   \
+    QSKIP("takes root and /dev/fuse")
+
+void addWires() {
+    QTest::addColumn<int>("wire");
+    for (const Wire wire : {Wire::tcp, Wire::terminal, Wire::hid})
+        QTest::newRow(nameOf(wire)) << int(wire);
+}
 
 devices::StationTool& stationTool(const devices::DriverTool& tool) {
     return dynamic_cast<devices::StationTool&>(*tool.device);
@@ -198,6 +212,7 @@ constexpr Moment kMoments[]{{"arming", 100, 600, 0},
                             {"contact", 1600, 2200, 0},
                             {"pause", 1900, 2400, 1600},
                             {"saving", 1600, 1600, 0}};
+constexpr std::size_t kContact = 2;
 
 /// A station that never stops sending inputs.
 class FloodTransport final : public devices::IStationTransport {
@@ -215,10 +230,6 @@ public:
         input.flags = STATION_INPUT_HOMED;
         (void)station_encode_input(&input, frame.data());
         return station::Received::frame;
-    }
-    station::Received exchangeFeature(const station::FrameBytes&, station::FrameBytes&,
-                                      std::int64_t) noexcept override {
-        return station::Received::nothing;
     }
     void close() noexcept override {}
     std::uint64_t malformed() const noexcept override { return 0; }
@@ -316,7 +327,10 @@ private slots:
     void aKilledHostIsLetGo_data();
     void aKilledHostIsLetGo();
     void aFloodDoesNotHoldTheLine();
+    void whichUsbDevice();
+    void goneAtEveryMoment_data() { addWires(); }
     void goneAtEveryMoment();
+    void itComesBack_data() { addWires(); }
     void itComesBack();
     void itGoesOnAfterRearming();
     void itGoesOnAfterItWasUnplugged();
@@ -373,8 +387,8 @@ void TestStationLink::theLineChangesNothing_data() {
     QTest::addColumn<int>("ticks");
     for (const QString& id : mechanismsToServe()) {
         const int ticks = id == mechanismsToServe().front() ? 10'000 : 2'000;
-        QTest::newRow(qPrintable(id + ", tcp")) << id << int(Wire::tcp) << ticks;
-        QTest::newRow(qPrintable(id + ", terminal")) << id << int(Wire::terminal) << ticks;
+        for (const Wire wire : {Wire::tcp, Wire::terminal, Wire::hid})
+            QTest::newRow(qPrintable(id + ", " + nameOf(wire))) << id << int(wire) << ticks;
     }
 }
 
@@ -384,6 +398,7 @@ void TestStationLink::theLineChangesNothing() {
     QFETCH(QString, mechanism);
     QFETCH(int, wire);
     QFETCH(int, ticks);
+    SKIP_WITHOUT(wire);
     auto configuration = stationOn(mechanism.toStdString());
     configuration.lockstep = true;
     StationBench bench(std::move(configuration), Wire(wire));
@@ -439,15 +454,14 @@ void TestStationLink::theLineChangesNothing() {
 }
 
 void TestStationLink::theSameForcesAreRecorded_data() {
-    QTest::addColumn<int>("wire");
-    QTest::newRow("tcp") << int(Wire::tcp);
-    QTest::newRow("terminal") << int(Wire::terminal);
+    addWires();
 }
 
 // A whole session in lockstep: what is recorded of it over the line is bit for bit what is recorded of the
 // same mechanism in the program.
 void TestStationLink::theSameForcesAreRecorded() {
     QFETCH(int, wire);
+    SKIP_WITHOUT(wire);
     StationBench bench(pressingStation(), Wire(wire));
     auto made = toolAt(bench.address);
     QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
@@ -485,9 +499,13 @@ void TestStationLink::addresses() {
     QCOMPARE(readStationAddress("tcp:localhost:7000")->port, std::uint16_t(7000));
     QCOMPARE(readStationAddress("tcp:[::1]:7000")->host, std::string("::1"));
     QCOMPARE(readStationAddress("serial:/dev/ttyACM0")->path, std::string("/dev/ttyACM0"));
+    const auto usb = readStationAddress("hid:1209:00fA:S 1:x");
+    QVERIFY(usb && usb->vendor == 0x1209 && usb->product == 0xFA && usb->serialNumber == "S 1:x");
+    QVERIFY(readStationAddress("hid:ffff:0001")->serialNumber.empty());
     for (const char* wrong :
          {"", "tcp", "tcp:", "tcp:7000", "tcp::7000", "tcp:a:0", "tcp:a:65536", "tcp:a:7x", "tcp:::1:7000",
-          "serial:", "serial:ttyS0", "hid:1209:0001", "usb:1:2"}) {
+          "serial:", "serial:ttyS0", "hid:", "hid:1209", "hid:1209:1", "hid:12090001", "hid:1209:00012",
+          "hid:xyzw:0001", "hid:1209:0001:", "usb:1:2"}) {
         const auto refused = readStationAddress(wrong);
         QVERIFY2(!refused && refused.error().code == core::ErrorCode::badInput, wrong);
         QVERIFY2(refused.error().message.find("tcp:HOST:PORT") != std::string::npos, wrong);
@@ -569,21 +587,29 @@ void TestStationLink::anotherStationIsNotTaken() {
     QVERIFY2(opened.error().message.find("another") != std::string::npos, opened.error().message.c_str());
 }
 
+// A pseudo-terminal and a USB device do not notice that nobody is there: their hold time alone lets go.
 void TestStationLink::aKilledHostIsLetGo_data() {
-    QTest::addColumn<bool>("terminal");
-    QTest::newRow("tcp") << false;
-    QTest::newRow("terminal")
-        << true; // which does not notice that nobody is there: its hold time alone lets go
+    addWires();
 }
 
 // The station is a program of its own, and its host dies without a word (kill -9) while a motor gives 1 N. By
 // the station's own clock, no force is left when the hold time after the last command has passed.
 void TestStationLink::aKilledHostIsLetGo() {
-    QFETCH(bool, terminal);
+    QFETCH(int, wire);
+    SKIP_WITHOUT(wire);
     QProcess station;
     station.setProgram(QStringLiteral(CHIRON_STATION));
     QStringList arguments{"--mechanism", "gimbal_hprd", "--seed", "3"};
-    arguments += terminal ? QStringList{"--pty"} : QStringList{"--tcp", "0"};
+    arguments += Wire(wire) == Wire::tcp ? QStringList{"--tcp", "0"}
+                 : Wire(wire) == Wire::terminal
+                     ? QStringList{"--pty"}
+                     : QStringList{"--fuse", HidComputer::kFolder, "--serial", "K-1"};
+    if (Wire(wire) == Wire::hid)
+        HidComputer::plugIn(0, "K-1");
+    const auto pulledOut = qScopeGuard([&] {
+        if (Wire(wire) == Wire::hid)
+            HidComputer::pullOut(0);
+    });
     station.setArguments(arguments);
     station.start();
     QVERIFY(station.waitForStarted(tests::kPatience_ms));
@@ -649,15 +675,43 @@ void TestStationLink::aFloodDoesNotHoldTheLine() {
     QVERIFY(!link.health().connected);
 }
 
+// A USB device is found by its numbers, and by its serial number where several have the same.
+void TestStationLink::whichUsbDevice() {
+    SKIP_WITHOUT(Wire::hid);
+    const auto refusedAt = [](const std::string& address, const char* words) {
+        const auto refused = toolAt(address);
+        return !refused && refused.error().code == core::ErrorCode::device &&
+               refused.error().message.find(words) != std::string::npos &&
+               refused.error().message.find(address) != std::string::npos;
+    };
+    QVERIFY(refusedAt("hid:1209:0001", "no such USB device is plugged in"));
+    auto configuration = stationOn("gimbal_hprd");
+    configuration.serialNumber = "A-1";
+    configuration.lockstep = true;
+    const StationBench bench(std::move(configuration), Wire::hid);
+    QVERIFY(toolAt("hid:1209:0001").has_value());
+    QVERIFY(toolAt("hid:1209:0001:A-1").has_value());
+    QVERIFY(refusedAt("hid:1209:0001:B-2", "no such USB device"));
+    QVERIFY(refusedAt("hid:1209:0002", "no such USB device"));
+    HidComputer::plugIn(1, "B-2"); // nothing is behind it
+    const auto pulledOut = qScopeGuard([] { HidComputer::pullOut(1); });
+    QVERIFY(refusedAt("hid:1209:0001", "A-1"));
+    QVERIFY(refusedAt("hid:1209:0001", "B-2"));
+    QVERIFY(toolAt("hid:1209:0001:A-1").has_value());
+    QVERIFY(refusedAt("hid:1209:0001:B-2", "cannot be opened"));
+}
+
 // Unplugged before it is opened, while it gives force, and when it is closed.
 void TestStationLink::goneAtEveryMoment() {
+    QFETCH(int, wire);
+    SKIP_WITHOUT(wire);
     const auto lockstepped = [] {
         auto configuration = stationOn("gimbal_hprd");
         configuration.lockstep = true;
         return configuration;
     };
     {
-        auto bench = std::make_unique<StationBench>(lockstepped());
+        auto bench = std::make_unique<StationBench>(lockstepped(), Wire(wire));
         auto made = toolAt(bench->address);
         QVERIFY(made.has_value());
         const std::string address = bench->address;
@@ -670,7 +724,7 @@ void TestStationLink::goneAtEveryMoment() {
         const auto never = toolAt(address);
         QVERIFY(!never && never.error().code == core::ErrorCode::device);
     }
-    auto bench = std::make_unique<StationBench>(lockstepped());
+    auto bench = std::make_unique<StationBench>(lockstepped(), Wire(wire));
     auto made = toolAt(bench->address);
     QVERIFY(made.has_value());
     devices::StationTool& tool = stationTool(made->front());
@@ -700,9 +754,11 @@ void TestStationLink::goneAtEveryMoment() {
 
 // A station that is plugged in again is used again, and its packets and its clock go on.
 void TestStationLink::itComesBack() {
+    QFETCH(int, wire);
+    SKIP_WITHOUT(wire);
     auto configuration = stationOn("gimbal_hprd");
     configuration.fault = *station::readFaultPlan("unplug:4:500");
-    StationBench bench(std::move(configuration));
+    StationBench bench(std::move(configuration), Wire(wire));
     auto made = toolAt(bench.address);
     QVERIFY(made.has_value());
     devices::StationTool& tool = stationTool(made->front());
@@ -818,11 +874,12 @@ void TestStationLink::eachFault_data() {
     for (const char* plan :
          {"none", "delay:0:20", "jitter:0:20", "drop:0:0.05", "drop:0:1", "duplicate:0:0.2", "reorder:0:0.2",
           "corrupt:0:0.05", "freeze:0:100", "unplug:0:0", "saturate:0:0.1", "drift:0:100000000"})
-        for (const Wire wire : {Wire::tcp, Wire::terminal})
-            for (std::size_t moment = 0; moment < std::size(kMoments); ++moment)
+        for (const Wire wire : {Wire::tcp, Wire::terminal, Wire::hid})
+            // A USB device differs from a serial line in how it is reached and lost: one moment is enough.
+            for (std::size_t moment = wire == Wire::hid ? kContact : 0;
+                 moment < (wire == Wire::hid ? kContact + 1 : std::size(kMoments)); ++moment)
                 QTest::newRow(qPrintable(QStringLiteral("%1, %2, %3")
-                                             .arg(QLatin1String(plan),
-                                                  QLatin1String(wire == Wire::tcp ? "tcp" : "terminal"),
+                                             .arg(QLatin1String(plan), QLatin1String(nameOf(wire)),
                                                   QLatin1String(kMoments[moment].name))))
                     << QString::fromLatin1(plan) << int(wire) << int(moment);
 }
@@ -833,6 +890,7 @@ void TestStationLink::eachFault() {
     QFETCH(QString, plan);
     QFETCH(int, wire);
     QFETCH(int, moment);
+    SKIP_WITHOUT(wire);
     station::FaultPlan fault;
     if (plan != QLatin1String("none"))
         fault = *station::readFaultPlan(plan.toStdString());
@@ -953,5 +1011,11 @@ void TestStationLink::byTheClock() {
     QCOMPARE(totals.counters.watchdog_trips, 0u);
 }
 
-QTEST_GUILESS_MAIN(TestStationLink)
+// The view with USB devices is for the whole program, and made while it has one thread.
+int main(int argc, char** argv) {
+    g_hid = HidComputer::enter();
+    const QCoreApplication application(argc, argv);
+    TestStationLink test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "test_station_link.moc"

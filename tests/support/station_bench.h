@@ -6,6 +6,7 @@
 #include "app/station/host_line.h"
 #include "app/station/station_run.h"
 #include "devices/driver_catalogue.h"
+#include "support/hid_computer.h"
 
 #include <QtTest>
 #include <atomic>
@@ -15,29 +16,40 @@
 
 namespace chiron::tests {
 
-/// The wire over which a station is reached.
-enum class Wire { tcp, terminal };
+/// The wire over which a station is reached. hid: only within HidComputer.
+enum class Wire { tcp, terminal, hid };
+inline const char* nameOf(Wire wire) {
+    return wire == Wire::tcp ? "tcp" : wire == Wire::terminal ? "terminal" : "hid";
+}
 
 /// An emulated station on a thread of its own, and where it is reached.
 class StationBench {
 public:
     explicit StationBench(station::EmulatedStation::Configuration configuration, Wire wire = Wire::tcp)
-        : m_lockstep(configuration.lockstep) {
+        : m_lockstep(configuration.lockstep), m_wire(wire) {
+        const std::string serialNumber = configuration.serialNumber;
         auto made = station::EmulatedStation::create(std::move(configuration));
         if (!made)
             qFatal("%s", made.error().message.c_str());
         m_station = std::move(*made);
-        const auto open =
-            wire == Wire::tcp ? m_line.listenTcp("127.0.0.1", 0) : m_line.openTerminal(std::string());
+        const auto open = wire == Wire::tcp        ? m_line.listenTcp("127.0.0.1", 0)
+                          : wire == Wire::terminal ? m_line.openTerminal(std::string())
+                                                   : m_line.openHidraw(HidComputer::kFolder, serialNumber);
         if (!open)
             qFatal("%s", open.error().message.c_str());
+        if (wire == Wire::hid)
+            HidComputer::plugIn(0, serialNumber);
         address = m_line.address();
         m_thread = std::thread([this] {
             result = m_lockstep ? station::runLockstep(*m_station, m_line, {}, m_stop)
                                 : station::runByClock(*m_station, m_line, {}, m_stop);
         });
     }
-    ~StationBench() { (void)stop(); }
+    ~StationBench() {
+        (void)stop();
+        if (m_wire == Wire::hid)
+            HidComputer::pullOut(0);
+    }
 
     /// Ends it and says what it did.
     station::StationTotals stop() {
@@ -54,6 +66,7 @@ public:
 
 private:
     bool m_lockstep;
+    Wire m_wire;
     std::unique_ptr<station::EmulatedStation> m_station;
     station::HostLine m_line;
     std::atomic<bool> m_stop{false};

@@ -223,7 +223,7 @@ std::vector<CommandSpec> trainCommands() {
                         "its clock; with --as it is that person's session")},
         {QStringLiteral("address"), QStringLiteral("ADDRESS"),
          QStringLiteral("with --device: where it is connected, one for each tool, separated by commas: "
-                        "tcp:HOST:PORT or serial:/dev/NAME")},
+                        "tcp:HOST:PORT, serial:/dev/NAME or hid:VVVV:PPPP[:SERIAL]")},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of scene and hand; default: 1")},
         {QStringLiteral("realtime"),
          {},

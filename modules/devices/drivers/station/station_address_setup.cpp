@@ -8,9 +8,11 @@ namespace chiron::devices {
 namespace {
 
 tl::unexpected<core::Error> notAnAddress(std::string_view text) {
-    return core::fail(core::ErrorCode::badInput,
-                      "station: \"" + std::string(text) +
-                          "\" is no address; expected tcp:HOST:PORT or serial:/dev/NAME");
+    return core::fail(
+        core::ErrorCode::badInput,
+        "station: \"" + std::string(text) +
+            "\" is no address; expected tcp:HOST:PORT, serial:/dev/NAME or hid:VVVV:PPPP[:SERIAL], "
+            "with the four hexadecimal digits of USB's vendor and product");
 }
 
 /// Reads the whole of `text` as a number from 1 to 65535.
@@ -34,10 +36,29 @@ bool readTcp(std::string_view text, StationAddress& address) {
     return !host.empty();
 }
 
+/// Reads four hexadecimal digits.
+bool readId(std::string_view text, std::uint16_t& number) {
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, number, 16);
+    return text.size() == 4 && error == std::errc() && stopped == end;
+}
+
+bool readHid(std::string_view text, StationAddress& address) {
+    constexpr std::size_t kIds = 9; // VVVV:PPPP
+    address.kind = StationAddress::Kind::hid;
+    if (text.size() < kIds || text[4] != ':' || !readId(text.substr(0, 4), address.vendor) ||
+        !readId(text.substr(5, 4), address.product))
+        return false;
+    if (text.size() == kIds)
+        return true;
+    address.serialNumber = std::string(text.substr(kIds + 1));
+    return text[kIds] == ':' && !address.serialNumber.empty();
+}
+
 } // namespace
 
 core::Result<StationAddress> readStationAddress(std::string_view text) {
-    constexpr std::string_view kTcp = "tcp:", kSerial = "serial:";
+    constexpr std::string_view kTcp = "tcp:", kSerial = "serial:", kHid = "hid:";
     StationAddress address;
     bool right = false;
     if (text.starts_with(kTcp)) {
@@ -46,6 +67,8 @@ core::Result<StationAddress> readStationAddress(std::string_view text) {
         address.kind = StationAddress::Kind::serial;
         address.path = std::string(text.substr(kSerial.size()));
         right = address.path.starts_with('/');
+    } else if (text.starts_with(kHid)) {
+        right = readHid(text.substr(kHid.size()), address);
     }
     if (!right)
         return notAnAddress(text);

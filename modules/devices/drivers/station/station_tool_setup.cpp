@@ -77,8 +77,8 @@ std::unique_ptr<StationTool> StationTool::absent() {
 core::Result<void> StationTool::open() {
     if (!m_present)
         return core::fail(core::ErrorCode::device,
-                          "no haptic station was named; expected where it is connected (tcp:HOST:PORT or "
-                          "serial:/dev/NAME)");
+                          "no haptic station was named; expected where it is connected (tcp:HOST:PORT, "
+                          "serial:/dev/NAME or hid:VVVV:PPPP)");
     close();
     auto asked = ask(m_configuration.address, m_configuration.where);
     CHIRON_TRY(asked);

@@ -26,8 +26,8 @@ public:
     virtual station::Received receive(station::FrameBytes& frame, std::int64_t deadline_ns) noexcept = 0;
     /// Asks for a feature page, and gives the reply's frame, not checked; or, if none came, the last frame
     /// that came instead. Input frames that come meanwhile are lost.
-    virtual station::Received exchangeFeature(const station::FrameBytes& request, station::FrameBytes& reply,
-                                              std::int64_t deadline_ns) noexcept = 0;
+    station::Received exchangeFeature(const station::FrameBytes& request, station::FrameBytes& reply,
+                                      std::int64_t deadline_ns) noexcept;
     virtual void close() noexcept = 0;
     /// Frames or parts of frames whose framing was broken.
     virtual std::uint64_t malformed() const noexcept = 0;

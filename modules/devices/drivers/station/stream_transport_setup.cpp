@@ -21,8 +21,6 @@ namespace {
 constexpr int kConnect_ms = 2000;
 /// A line on which nothing is acknowledged for so long is gone, so that it is opened again.
 constexpr unsigned kUnacknowledged_ms = 2000;
-/// Type byte of a feature reply.
-constexpr std::uint8_t kFeatureReply = 4;
 
 class StreamTransport final : public IStationTransport {
 public:
@@ -31,27 +29,6 @@ public:
     station::Sent send(const station::FrameBytes& frame) noexcept override { return m_stream.send(frame); }
     station::Received receive(station::FrameBytes& frame, std::int64_t deadline_ns) noexcept override {
         return m_stream.receive(frame, deadline_ns);
-    }
-    station::Received exchangeFeature(const station::FrameBytes& request, station::FrameBytes& reply,
-                                      std::int64_t deadline_ns) noexcept override {
-        if (m_stream.send(request) == station::Sent::gone)
-            return station::Received::gone;
-        bool heard = false;
-        station::FrameBytes frame{};
-        for (;;) {
-            const station::Received got = m_stream.receive(frame, deadline_ns);
-            if (got == station::Received::gone)
-                return got;
-            if (got == station::Received::frame) {
-                heard = true;
-                reply = frame;
-                if (frame[0] == kFeatureReply && frame[1] == request[1])
-                    return got;
-            }
-            // Whoever asked can tell something else from nothing.
-            if (got == station::Received::nothing || station::steadyNow_ns() >= deadline_ns)
-                return heard ? station::Received::frame : station::Received::nothing;
-        }
     }
     void close() noexcept override { m_stream.close(); }
     std::uint64_t malformed() const noexcept override { return m_stream.malformed(); }
