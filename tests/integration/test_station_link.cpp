@@ -1013,7 +1013,7 @@ void TestStationLink::byTheClock() {
 
 // The view with USB devices is for the whole program, and made while it has one thread.
 int main(int argc, char** argv) {
-    g_hid = HidComputer::enter();
+    g_hid = HidComputer::enter() && station::HidrawNode::serve(HidComputer::kFolder).has_value();
     const QCoreApplication application(argc, argv);
     TestStationLink test;
     return QTest::qExec(&test, argc, argv);
