@@ -647,12 +647,12 @@
         <translation>Wie der Gimbal Kraft ausgibt</translation>
     </message>
     <message>
-        <source>Haptic device over a network or serial line</source>
-        <translation>Haptisches Gerät über Netzwerk oder serielle Leitung</translation>
+        <source>Haptic device (USB, network or serial line)</source>
+        <translation>Haptisches Gerät (USB, Netzwerk oder serielle Leitung)</translation>
     </message>
     <message>
-        <source>Its forces are felt. Only the command line uses it so far (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
-        <translation>Seine Kräfte sind zu spüren. Bisher wird es nur über die Befehlszeile benutzt (siehe chiron-cli train --help). Mit einer Nachbildung geprüft; an echter Hardware wurde es noch nie erprobt.</translation>
+        <source>Its forces are felt. Plug it in by USB, or give its address on the command line (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
+        <translation>Seine Kräfte sind zu spüren. Schließen Sie es über USB an, oder geben Sie seine Adresse auf der Befehlszeile an (siehe chiron-cli train --help). Mit einer Nachbildung geprüft; an echter Hardware wurde es noch nie erprobt.</translation>
     </message>
 </context>
 <context>
@@ -9303,6 +9303,29 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>Ready. Watch a scripted operator. Device: %1.</source>
         <translation>Bereit. Eine programmierte Hand führt vor. Gerät: %1.</translation>
     </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1, Seriennummer %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready. Force is felt. %n device(s) connected.</source>
+        <translation>
+            <numerusform>Bereit. Kraft ist zu spüren. %n Gerät angeschlossen.</numerusform>
+            <numerusform>Bereit. Kraft ist zu spüren. %n Geräte angeschlossen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This level takes %1 devices, and %2 is connected. Connect the other one, then open this screen again.</source>
+        <translation>Diese Stufe braucht %1 Geräte, und %2 ist angeschlossen. Schließen Sie das fehlende Gerät an, und öffnen Sie diese Ansicht dann erneut.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Choose a different device for each instrument.</source>
+        <translation>Wählen Sie für jedes Instrument ein anderes Gerät.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DifferenceTable</name>
@@ -15764,8 +15787,8 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
         <translation>Forschende oder die Administration können sie hier ausführen.</translation>
     </message>
     <message>
-        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices on a network or serial line was tested against an emulation.</source>
-        <translation>An diese Version war noch kein haptisches Gerät eines Herstellers angeschlossen: Der Treiber für Geräte an einem Netzwerk oder einer seriellen Leitung wurde mit einer Nachbildung geprüft.</translation>
+        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices connected by USB, network or serial line was tested against an emulation.</source>
+        <translation>An diese Version war noch kein haptisches Gerät eines Herstellers angeschlossen: Der Treiber für Geräte an USB, Netzwerk oder serieller Leitung wurde mit einer Nachbildung geprüft.</translation>
     </message>
 </context>
 <context>

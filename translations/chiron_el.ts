@@ -647,12 +647,12 @@
         <translation>Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
     </message>
     <message>
-        <source>Haptic device over a network or serial line</source>
-        <translation>Απτική συσκευή μέσω δικτύου ή σειριακής γραμμής</translation>
+        <source>Haptic device (USB, network or serial line)</source>
+        <translation>Απτική συσκευή (USB, δίκτυο ή σειριακή γραμμή)</translation>
     </message>
     <message>
-        <source>Its forces are felt. Only the command line uses it so far (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
-        <translation>Οι δυνάμεις της γίνονται αισθητές. Προς το παρόν τη χρησιμοποιεί μόνο η γραμμή εντολών (βλ. chiron-cli train --help). Δοκιμάστηκε με εξομοίωση· δεν έχει δοκιμαστεί ποτέ με πραγματικό υλικό.</translation>
+        <source>Its forces are felt. Plug it in by USB, or give its address on the command line (see chiron-cli train --help). Tested against an emulation; it never met hardware.</source>
+        <translation>Οι δυνάμεις της γίνονται αισθητές. Συνδέστε την μέσω USB ή δώστε τη διεύθυνσή της στη γραμμή εντολών (βλ. chiron-cli train --help). Δοκιμάστηκε με εξομοίωση· δεν έχει δοκιμαστεί ποτέ με πραγματικό υλικό.</translation>
     </message>
 </context>
 <context>
@@ -9303,6 +9303,29 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>Ready. Watch a scripted operator. Device: %1.</source>
         <translation>Έτοιμη. Δείτε εικονικό χειριστή. Συσκευή: %1.</translation>
     </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1, αριθμός σειράς %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready. Force is felt. %n device(s) connected.</source>
+        <translation>
+            <numerusform>Έτοιμη. Η δύναμη γίνεται αισθητή. %n συνδεδεμένη συσκευή.</numerusform>
+            <numerusform>Έτοιμη. Η δύναμη γίνεται αισθητή. %n συνδεδεμένες συσκευές.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This level takes %1 devices, and %2 is connected. Connect the other one, then open this screen again.</source>
+        <translation>Αυτό το επίπεδο χρειάζεται %1 συσκευές και είναι συνδεδεμένη %2. Συνδέστε αυτή που λείπει και ανοίξτε ξανά αυτή την οθόνη.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Συσκευή</translation>
+    </message>
+    <message>
+        <source>Choose a different device for each instrument.</source>
+        <translation>Επιλέξτε διαφορετική συσκευή για κάθε εργαλείο.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DifferenceTable</name>
@@ -15764,8 +15787,8 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Ένας ερευνητής ή διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
     </message>
     <message>
-        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices on a network or serial line was tested against an emulation.</source>
-        <translation>Σε αυτή την έκδοση δεν έχει συνδεθεί ακόμη απτική συσκευή κατασκευαστή: το πρόγραμμα οδήγησης για συσκευές σε δίκτυο ή σειριακή γραμμή δοκιμάστηκε με εξομοίωση.</translation>
+        <source>No maker&apos;s haptic device was connected to this version yet: the driver for devices connected by USB, network or serial line was tested against an emulation.</source>
+        <translation>Σε αυτή την έκδοση δεν έχει συνδεθεί ακόμη απτική συσκευή κατασκευαστή: το πρόγραμμα οδήγησης για συσκευές μέσω USB, δικτύου ή σειριακής γραμμής δοκιμάστηκε με εξομοίωση.</translation>
     </message>
 </context>
 <context>

@@ -489,6 +489,13 @@
             <numerusform>Ready: %n rows, %1 s.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Ready. Force is felt. %n device(s) connected.</source>
+        <translation>
+            <numerusform>Ready. Force is felt. %n device connected.</numerusform>
+            <numerusform>Ready. Force is felt. %n devices connected.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ExerciseCard</name>

@@ -2,6 +2,8 @@
 #define FUSE_USE_VERSION 35
 #include "app/station/hidraw_node.h"
 
+#include "station/protocol/station_frame.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -29,14 +31,24 @@ constexpr std::size_t kRing = 64; // HIDRAW_BUFFER_SIZE
 constexpr const char* kFile = "/hidraw0";
 constexpr std::uint16_t kUsb = 3; // BUS_USB
 
-/// Unnumbered reports of 64 bytes in both directions on a vendor-defined page.
-constexpr std::array<std::uint8_t, 25> kReportDescriptor{
-    0x06, 0x00, 0xFF,                                     // usage page: vendor-defined
-    0x09, 0x01, 0xA1, 0x01,                               // usage 1, collection: application
-    0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x40, // 64 times 8 bits, 0 to 255
-    0x09, 0x02, 0x81, 0x02,                               // input
-    0x09, 0x03, 0x91, 0x02,                               // output
+constexpr std::uint8_t low(unsigned value) {
+    return static_cast<std::uint8_t>(value & 0xFF);
+}
+constexpr std::uint8_t high(unsigned value) {
+    return static_cast<std::uint8_t>(value >> 8);
+}
+/// Unnumbered reports of 64 bytes in both directions.
+// clang-format off
+constexpr std::array<std::uint8_t, 26> kReportDescriptor{
+    0x06, low(STATION_HID_USAGE_PAGE), high(STATION_HID_USAGE_PAGE), // usage page
+    0x0A, low(STATION_HID_USAGE), high(STATION_HID_USAGE),           // usage
+    0xA1, 0x01,                                                      // collection: application
+    0x15, 0x00, 0x26, 0xFF, 0x00,                                    // 0 to 255
+    0x75, 0x08, 0x95, 0x40,                                          // 64 times 8 bits
+    0x09, 0x02, 0x81, 0x02,                                          // input
+    0x09, 0x03, 0x91, 0x02,                                          // output
     0xC0};
+// clang-format on
 
 void closeIt(int& descriptor) noexcept {
     if (descriptor >= 0)

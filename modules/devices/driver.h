@@ -91,6 +91,7 @@ struct DriverTool {
 struct FoundDevice {
     std::string model;        ///< for people
     std::string serialNumber; ///< empty if the device reports none
+    std::string address{};    ///< ToolRequest::address of the device; empty if the driver needs none
 };
 
 /// One of several ways in which a mechanism converts force to efforts.

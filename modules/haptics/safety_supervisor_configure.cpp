@@ -114,10 +114,12 @@ core::Result<void> checkTool(const SafetySettings& settings, const SafetyTool& t
         }
     }
     if (rendersForce(settings, tool) && lateTicks(tool) > PassivityObserver::kMostLate_ticks) {
-        return core::fail(ErrorCode::badInput,
-                          where + "samples up to " + std::to_string(tool.device.guardedDelay_us()) +
-                              " us old; a device that renders force sends none older than " +
-                              std::to_string(1000 * PassivityObserver::kMostLate_ticks) + " us");
+        return core::fail(ErrorCode::device,
+                          where + "its samples are up to " + std::to_string(tool.device.guardedDelay_us()) +
+                              " us old; a device that renders force may send none older than " +
+                              std::to_string(1000 * PassivityObserver::kMostLate_ticks) +
+                              " us. Use a faster connection, and end other programs that keep this "
+                              "computer busy");
     }
     return {};
 }

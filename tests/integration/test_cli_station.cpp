@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/station/hidraw_node.h"
 #include "cli_process.h"
+#include "support/hid_computer.h"
 #include "support/patience.h"
 
 #include <QJsonArray>
@@ -15,8 +17,10 @@ using namespace chiron;
 class TestCliStation : public QObject {
     Q_OBJECT
 private slots:
+    void aSessionIsTrainedAndReplayed_data();
     void aSessionIsTrainedAndReplayed();
     void whatDoesNotFitIsRefused();
+    void whatIsPluggedInIsListed();
 
 private:
     CliRun cli(const QStringList& arguments) {
@@ -27,10 +31,13 @@ private:
 
 namespace {
 
+/// Whether USB HID devices can be plugged in here that are not there.
+bool g_hid = false;
+
 /// Starts chiron-station; returns its address, or nothing.
-QString started(QProcess& station, const QStringList& more) {
+QString started(QProcess& station, const QStringList& more, const QStringList& line = {"--tcp", "0"}) {
     station.setProgram(QStringLiteral(CHIRON_STATION));
-    station.setArguments(QStringList{"--mechanism", "gimbal_hprd", "--tcp", "0", "--serial", "T-1"} + more);
+    station.setArguments(QStringList{"--mechanism", "gimbal_hprd", "--serial", "T-1"} + line + more);
     station.start();
     station.setReadChannel(QProcess::StandardError);
     while (!station.canReadLine())
@@ -47,10 +54,27 @@ QJsonObject object(const CliRun& run) {
 
 } // namespace
 
+void TestCliStation::aSessionIsTrainedAndReplayed_data() {
+    QTest::addColumn<bool>("usb");
+    QTest::newRow("tcp") << false;
+    QTest::newRow("hid") << true;
+}
+
 void TestCliStation::aSessionIsTrainedAndReplayed() {
+    QFETCH(bool, usb);
+    if (usb && !g_hid)
+        QSKIP("takes root and /dev/fuse");
+    if (usb)
+        tests::HidComputer::plugIn(0, "T-1");
+    const auto pulledOut = qScopeGuard([usb] {
+        if (usb)
+            tests::HidComputer::pullOut(0);
+    });
     QProcess station;
     // It goes away after six seconds of its own: the session goes on without it to its end.
-    const QString address = started(station, {"--lockstep", "--hand", "press", "--ticks", "6000"});
+    const QString address =
+        started(station, {"--lockstep", "--hand", "press", "--ticks", "6000"},
+                usb ? QStringList{"--fuse", tests::HidComputer::kFolder} : QStringList{"--tcp", "0"});
     QVERIFY(!address.isEmpty());
     const QJsonObject trained =
         object(cli({"train", "sphere_apex", "--device", "station", "--address", address}));
@@ -111,5 +135,38 @@ void TestCliStation::whatDoesNotFitIsRefused() {
     QVERIFY(station.waitForFinished(tests::kPatience_ms));
 }
 
-QTEST_GUILESS_MAIN(TestCliStation)
+void TestCliStation::whatIsPluggedInIsListed() {
+    if (!g_hid)
+        QSKIP("takes root and /dev/fuse");
+    const auto connected = [] {
+        for (const QJsonValue& driver :
+             QJsonDocument::fromJson(runCli({"device", "list", "--json"}).out).array())
+            if (driver["id"] == QLatin1String("station"))
+                return driver["connected"].toArray();
+        return QJsonArray{QStringLiteral("no such driver")};
+    };
+    QCOMPARE(connected(), QJsonArray());
+    tests::HidComputer::plugIn(1, "R-2");
+    tests::HidComputer::plugIn(2, "L-1");
+    QCOMPARE(connected(), (QJsonArray{QJsonObject{{"model", "Emulated station"},
+                                                  {"serial_number", "L-1"},
+                                                  {"address", "hid:1209:0001:L-1"}},
+                                      QJsonObject{{"model", "Emulated station"},
+                                                  {"serial_number", "R-2"},
+                                                  {"address", "hid:1209:0001:R-2"}}}));
+    const QByteArray table = runCli({"device", "list"}).out;
+    QVERIFY2(table.contains("R-2") && table.contains("hid:1209:0001:L-1"), table.constData());
+    tests::HidComputer::pullOut(2);
+    QCOMPARE(connected().size(), 1);
+    tests::HidComputer::pullOut(1);
+    QCOMPARE(connected(), QJsonArray());
+}
+
+int main(int argc, char** argv) {
+    using tests::HidComputer;
+    g_hid = HidComputer::enter() && station::HidrawNode::serve(HidComputer::kFolder).has_value();
+    const QCoreApplication application(argc, argv);
+    TestCliStation test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "test_cli_station.moc"

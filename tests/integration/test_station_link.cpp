@@ -8,6 +8,7 @@
 #include "support/hid_computer.h"
 #include "support/patience.h"
 #include "support/station_bench.h"
+#include "support/station_conformance.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,6 +16,8 @@
 #include <arpa/inet.h>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <grp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -299,6 +302,57 @@ FaultRun runWithFault(const station::FaultPlan& plan, Wire wire, const Moment& m
     return run;
 }
 
+/// An emulated station at the other end of a driver's transport. Its clock goes on only while this program
+/// waits for the next frame.
+class TransportLine final : public test::StationLine {
+public:
+    explicit TransportLine(Wire wire) : m_wire(wire) {
+        auto made = station::EmulatedStation::create(stationOn("gimbal_hprd"));
+        const auto open = wire == Wire::tcp        ? m_line.listenTcp("127.0.0.1", 0)
+                          : wire == Wire::terminal ? m_line.openTerminal(std::string())
+                                                   : m_line.openHidraw(HidComputer::kFolder, "C-1");
+        if (!made || !open)
+            qFatal("no emulated station");
+        m_station = std::move(*made);
+        if (wire == Wire::hid)
+            HidComputer::plugIn(0, "C-1");
+        auto transport = devices::connectStation(*devices::readStationAddress(m_line.address()));
+        if (!transport)
+            qFatal("%s", transport.error().message.c_str());
+        m_transport = std::move(*transport);
+        if (m_line.admitHost())
+            m_station->lineChanged();
+    }
+    ~TransportLine() override {
+        if (m_wire == Wire::hid)
+            HidComputer::pullOut(0);
+    }
+    bool send(const QList<Frame>& frames) override {
+        return std::all_of(frames.begin(), frames.end(), [this](const Frame& frame) {
+            return m_transport->send(frame) == station::Sent::sent;
+        });
+    }
+    bool next(Frame& frame) override {
+        if (m_transport->receive(frame, 0) == station::Received::frame)
+            return true;
+        station::FrameBytes heard{};
+        while (m_line.stream().receive(heard, 0) == station::Received::frame)
+            (void)m_station->receive(heard, 0);
+        m_station->tick();
+        for (station::FrameBytes said{}; m_station->nextToSend(said);)
+            (void)m_line.stream().send(said);
+        return m_transport->receive(frame,
+                                    station::steadyNow_ns() + 1'000'000 * std::int64_t{kPatience_ms}) ==
+               station::Received::frame;
+    }
+
+private:
+    Wire m_wire;
+    std::unique_ptr<station::EmulatedStation> m_station;
+    station::HostLine m_line;
+    std::unique_ptr<devices::IStationTransport> m_transport;
+};
+
 QStringList mechanismsToServe() {
     QStringList ids;
     for (const devices::KinematicsEntry& entry :
@@ -315,6 +369,8 @@ class TestStationLink : public QObject {
 private slots:
     void itSaysWhatItIs_data();
     void itSaysWhatItIs();
+    void itKeepsWhatIsPromised_data() { addWires(); }
+    void itKeepsWhatIsPromised();
     void theLineChangesNothing_data();
     void theLineChangesNothing();
     void theSameForcesAreRecorded_data();
@@ -328,6 +384,7 @@ private slots:
     void aKilledHostIsLetGo();
     void aFloodDoesNotHoldTheLine();
     void whichUsbDevice();
+    void whoMayNotOpenAUsbDeviceIsToldWhy();
     void goneAtEveryMoment_data() { addWires(); }
     void goneAtEveryMoment();
     void itComesBack_data() { addWires(); }
@@ -379,6 +436,14 @@ void TestStationLink::itSaysWhatItIs() {
         QCOMPARE(told.axes[i].maximum, given.axes[i].maximum);
         QCOMPARE(float(told.axes[i].continuousRating), float(given.axes[i].continuousRating));
     }
+}
+
+// What every station promises, through the transports that the driver has.
+void TestStationLink::itKeepsWhatIsPromised() {
+    QFETCH(int, wire);
+    SKIP_WITHOUT(wire);
+    TransportLine line{Wire(wire)};
+    QCOMPARE(test::StationConformance(line).all(), QString());
 }
 
 void TestStationLink::theLineChangesNothing_data() {
@@ -685,20 +750,58 @@ void TestStationLink::whichUsbDevice() {
                refused.error().message.find(address) != std::string::npos;
     };
     QVERIFY(refusedAt("hid:1209:0001", "no such USB device is plugged in"));
+    QVERIFY(devices::findDriver("station")->discover().empty());
     auto configuration = stationOn("gimbal_hprd");
     configuration.serialNumber = "A-1";
     configuration.lockstep = true;
     const StationBench bench(std::move(configuration), Wire::hid);
+    const auto found = [] { return devices::findDriver("station")->discover(); };
+    QCOMPARE(found().size(), 1u);
+    QCOMPARE(found().front().model, std::string("Emulated station"));
+    QCOMPARE(found().front().serialNumber, std::string("A-1"));
+    QCOMPARE(found().front().address, bench.address);
     QVERIFY(toolAt("hid:1209:0001").has_value());
     QVERIFY(toolAt("hid:1209:0001:A-1").has_value());
     QVERIFY(refusedAt("hid:1209:0001:B-2", "no such USB device"));
     QVERIFY(refusedAt("hid:1209:0002", "no such USB device"));
     HidComputer::plugIn(1, "B-2"); // nothing is behind it
     const auto pulledOut = qScopeGuard([] { HidComputer::pullOut(1); });
+    QCOMPARE(found().size(), 2u);
+    QCOMPARE(found().back().address, std::string("hid:1209:0001:B-2"));
     QVERIFY(refusedAt("hid:1209:0001", "A-1"));
     QVERIFY(refusedAt("hid:1209:0001", "B-2"));
     QVERIFY(toolAt("hid:1209:0001:A-1").has_value());
     QVERIFY(refusedAt("hid:1209:0001:B-2", "cannot be opened"));
+    // A node that opens and answers nothing, as one may whose device is just being pulled out.
+    std::ofstream(HidComputer::nodeOf(1)) << "no device";
+    const auto removed = qScopeGuard([] { std::filesystem::remove(HidComputer::nodeOf(1)); });
+    QVERIFY(refusedAt("hid:1209:0001:B-2", "cannot be opened"));
+}
+
+void TestStationLink::whoMayNotOpenAUsbDeviceIsToldWhy() {
+    SKIP_WITHOUT(Wire::hid);
+    auto configuration = stationOn("gimbal_hprd");
+    configuration.lockstep = true;
+    const StationBench bench(std::move(configuration), Wire::hid);
+    constexpr int kTold = 7, kNobody = 65534;
+    const pid_t other = ::fork();
+    QVERIFY(other >= 0);
+    if (other == 0) { // another person
+        if (::setgroups(0, nullptr) != 0 || ::setgid(kNobody) != 0 || ::setuid(kNobody) != 0)
+            ::_exit(1);
+        const auto refused = toolAt(bench.address);
+        const std::string said = refused ? "it was opened" : refused.error().message;
+        if (said.find("may not open " + HidComputer::nodeOf(0)) != std::string::npos &&
+            said.find("70-chiron-station.rules") != std::string::npos)
+            ::_exit(kTold);
+        std::fprintf(stderr, "%s\n", said.c_str());
+        ::_exit(2);
+    }
+    int status = 0;
+    QCOMPARE(::waitpid(other, &status, 0), other);
+    QVERIFY(WIFEXITED(status));
+    QCOMPARE(WEXITSTATUS(status), kTold);
+    QVERIFY(toolAt(bench.address).has_value());
 }
 
 // Unplugged before it is opened, while it gives force, and when it is closed.

@@ -33,7 +33,13 @@ public:
     /// Where the node of the first device is to be shown.
     static constexpr const char* kFolder = "/dev/shm/hid";
 
-    /// Plugs in a device of the emulated station's numbers: number 0 is the one in kFolder.
+    /// The file through which programs reach a device: number 0 is the one in kFolder, others are for the
+    /// test to make.
+    static std::string nodeOf(int number) {
+        return number == 0 ? std::string(kFolder) + "/hidraw0" : "/dev/shm/hidraw" + std::to_string(number);
+    }
+
+    /// Plugs in a device of the emulated station's numbers.
     static void plugIn(int number, const std::string& serialNumber) {
         namespace fs = std::filesystem;
         const std::string n = std::to_string(number), usb = usbFolder(number), interface = usb + "/1-1:1.0";
@@ -52,10 +58,10 @@ public:
               "DRIVER=hid-generic\nHID_ID=0003:00001209:00000001\nHID_NAME=Emulated station\n"
               "HID_PHYS=sim/input0\nHID_UNIQ=" +
                   serialNumber + "\n");
-        const unsigned char page[] = {0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0xC0};
+        const unsigned char page[] = {0x06, 0x00, 0xFF, 0x0A, 0x48, 0x43, 0xA1, 0x01, 0xC0};
         write(hid + "/report_descriptor", std::string(reinterpret_cast<const char*>(page), sizeof page));
         write(hid + "/hidraw/" + node + "/uevent",
-              "MAJOR=240\nMINOR=" + n + "\nDEVNAME=shm/hid/" + node + "\n");
+              "MAJOR=240\nMINOR=" + n + "\nDEVNAME=" + nodeOf(number).substr(sizeof "/dev") + "\n");
         fs::create_directory_symlink("/sys/bus/usb", usb + "/subsystem");
         fs::create_directory_symlink("/sys/bus/usb", interface + "/subsystem");
         fs::create_directory_symlink("/sys/bus/hid", hid + "/subsystem");

@@ -28,6 +28,9 @@ core::Result<CommandOutput> list(const Arguments&) {
     QJsonArray drivers;
     TextTable table({QStringLiteral("driver"), QStringLiteral("class"), QStringLiteral("title"),
                      QStringLiteral("needs")});
+    TextTable plugged({QStringLiteral("driver"), QStringLiteral("connected"), QStringLiteral("serial number"),
+                       QStringLiteral("address")});
+    bool any = false;
     for (const devices::Driver* entry : devices::driverCatalogue()) {
         const devices::Driver& driver = *entry;
         const QString id = QString::fromStdString(std::string(driver.id));
@@ -35,13 +38,27 @@ core::Result<CommandOutput> list(const Arguments&) {
         const QString needs = QString::fromStdString(std::string(driver.needs));
         const QString kind = driver.deviceClass == devices::DeviceClass::felt ? QStringLiteral("felt")
                                                                               : QStringLiteral("shown");
+        QJsonArray connected;
+        for (const devices::FoundDevice& found : driver.discover()) {
+            if (found.address.empty())
+                continue; // always there
+            const QString model = QString::fromStdString(found.model);
+            const QString address = QString::fromStdString(found.address);
+            connected.append(QJsonObject{{QStringLiteral("model"), model},
+                                         {QStringLiteral("serial_number"), serialJson(found.serialNumber)},
+                                         {QStringLiteral("address"), address}});
+            plugged.add({id, model, serialWords(found.serialNumber), address});
+        }
         drivers.append(QJsonObject{{QStringLiteral("id"), id},
                                    {QStringLiteral("title"), title},
                                    {QStringLiteral("class"), kind},
-                                   {QStringLiteral("needs"), needs}});
+                                   {QStringLiteral("needs"), needs},
+                                   {QStringLiteral("connected"), connected}});
+        any = any || !connected.isEmpty();
         table.add({id, kind, title, needs});
     }
-    return CommandOutput{QJsonDocument(drivers), table.toText(), 0};
+    return CommandOutput{QJsonDocument(drivers),
+                         table.toText() + (any ? QStringLiteral("\n") + plugged.toText() : QString()), 0};
 }
 
 /// Id of the only driver that the check supports: that of the simulated mechanisms.

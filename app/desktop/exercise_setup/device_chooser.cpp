@@ -9,6 +9,7 @@
 #include "desktop/widgets/kit.h"
 #include "devices/kinematics_catalogue.h"
 #include "scoring/trace_csv.h"
+#include "session_report/tool_words.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -40,16 +41,10 @@ const devices::ForceMaps* forceMapsOf(const session::ExerciseKind* kind) {
     return kinematics ? kinematics->forceMaps : nullptr;
 }
 
-/// The person's own devices first, then demonstrations, then recordings, each group in the catalogue's order.
-/// A driver whose device is not here is not offered; the station screen lists it.
-std::vector<const devices::Driver*> driversInOrder() {
-    std::vector<const devices::Driver*> drivers;
-    for (const devices::Driver* driver : devices::driverCatalogue())
-        if (driver->movedBy != devices::MovedBy::person || !driver->discover().empty())
-            drivers.push_back(driver);
-    std::stable_sort(drivers.begin(), drivers.end(),
-                     [](const auto* a, const auto* b) { return a->movedBy < b->movedBy; });
-    return drivers;
+QString nameOf(const devices::FoundDevice& found) {
+    const QString model = QString::fromStdString(found.model),
+                  serial = QString::fromStdString(found.serialNumber);
+    return serial.isEmpty() ? model : DeviceChooser::tr("%1, serial number %2").arg(model, serial);
 }
 
 /// Lets paths and lists of columns, which are one long word, wrap after a slash or a comma.
@@ -61,28 +56,48 @@ QString breakable(QString text) {
 
 } // namespace
 
+/// The person's own devices first, then demonstrations, then recordings, each group in the catalogue's order.
+/// A driver whose device is not here is not offered; the station screen lists it.
+std::vector<DeviceChooser::Offered> DeviceChooser::offeredInOrder() {
+    std::vector<Offered> all;
+    for (const devices::Driver* driver : devices::driverCatalogue()) {
+        Offered offered{driver, driver->discover()};
+        if (driver->movedBy != devices::MovedBy::person || !offered.found.empty())
+            all.push_back(std::move(offered));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Offered& a, const Offered& b) {
+        return a.driver->movedBy < b.driver->movedBy;
+    });
+    return all;
+}
+
 DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent)
     : QWidget(parent), m_context(context), m_tool(kind ? kind->pointerTool() : session::PointerTool::point),
-      m_drivers(driversInOrder()), m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
+      m_drivers(offeredInOrder()), m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context.theme().px(8));
     const std::vector<std::string> operators = kind ? kind->operatorNames() : std::vector<std::string>();
     for (int i = 0; i < static_cast<int>(m_drivers.size()); ++i) {
-        const devices::Driver& driver = *m_drivers[static_cast<std::size_t>(i)];
-        QWidget* tile = addTile(i, healthOf(driver, kind));
+        const Offered& each = m_drivers[static_cast<std::size_t>(i)];
+        const devices::Driver& driver = *each.driver;
+        QWidget* tile = addTile(i, healthOf(each, kind));
         tile->setEnabled(driver.movedBy != devices::MovedBy::scriptedOperator || !operators.empty());
         column->addWidget(tile);
     }
-    m_pages->addWidget(new QWidget); // one page per MovedBy, in its order
+    auto* connected = new QWidget;
+    m_connected = new QVBoxLayout(connected);
+    m_connected->setContentsMargins(0, 0, 0, 0);
+    m_connected->setSpacing(context.theme().px(6));
+    m_pages->addWidget(connected); // one page per MovedBy, in its order
     m_pages->addWidget(demonstrationPage(operators, forceMapsOf(kind)));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
-        show(*m_drivers.at(static_cast<std::size_t>(id)));
+        show(*m_drivers.at(static_cast<std::size_t>(id)).driver);
         emit changed();
     });
-    show(*m_drivers.front());
+    show(*m_drivers.front().driver);
 }
 
 QString DeviceChooser::titleOf(const devices::Driver& driver) const {
@@ -97,7 +112,8 @@ QString DeviceChooser::titleOf(const devices::Driver& driver) const {
     return StationWords::driver(driver);
 }
 
-QString DeviceChooser::healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const {
+QString DeviceChooser::healthOf(const Offered& offered, const session::ExerciseKind* kind) const {
+    const devices::Driver& driver = *offered.driver;
     switch (driver.movedBy) {
     case devices::MovedBy::scriptedOperator:
         return demonstratedOn(driver, kind);
@@ -110,8 +126,11 @@ QString DeviceChooser::healthOf(const devices::Driver& driver, const session::Ex
     case devices::MovedBy::person:
         break;
     }
-    return driver.deviceClass == devices::DeviceClass::shown ? tr("Ready. Force is shown, not felt.")
-                                                             : StationWords::needs(driver);
+    if (driver.deviceClass == devices::DeviceClass::shown)
+        return tr("Ready. Force is shown, not felt.");
+    return offered.connected() ? tr("Ready. Force is felt. %n device(s) connected.", nullptr,
+                                    static_cast<int>(offered.found.size()))
+                               : StationWords::needs(driver);
 }
 
 QString DeviceChooser::demonstratedOn(const devices::Driver& driver,
@@ -123,7 +142,7 @@ QString DeviceChooser::demonstratedOn(const devices::Driver& driver,
 }
 
 QWidget* DeviceChooser::addTile(int index, const QString& health) {
-    const devices::Driver& driver = *m_drivers.at(static_cast<std::size_t>(index));
+    const devices::Driver& driver = *m_drivers.at(static_cast<std::size_t>(index)).driver;
     auto* tile = new ChoiceTile(m_context.theme(), titleOf(driver), health, deviceIcon(driver.movedBy));
     tile->setObjectName(QStringLiteral("setup.device.%1").arg(index));
     m_group->addButton(tile, index);
@@ -175,6 +194,7 @@ void DeviceChooser::setTools(int tools) {
     if (tools == m_tools)
         return;
     m_tools = tools;
+    showConnected();
     if (!m_traceFile.isEmpty())
         checkTrace();
 }
@@ -199,16 +219,78 @@ QWidget* DeviceChooser::tracePage() {
     return page;
 }
 
+const DeviceChooser::Offered& DeviceChooser::offered() const {
+    return m_drivers.at(static_cast<std::size_t>(std::max(m_group->checkedId(), 0)));
+}
+
 const devices::Driver& DeviceChooser::driver() const {
-    return *m_drivers.at(static_cast<std::size_t>(std::max(m_group->checkedId(), 0)));
+    return *offered().driver;
+}
+
+/// One choice for each instrument, of the connected devices; or how many are missing.
+void DeviceChooser::showConnected() {
+    while (QLayoutItem* old = m_connected->takeAt(0)) {
+        delete old->widget();
+        delete old;
+    }
+    m_addresses.clear();
+    if (!offered().connected())
+        return;
+    const Theme& theme = m_context.theme();
+    const std::vector<devices::FoundDevice>& found = offered().found;
+    if (static_cast<int>(found.size()) < m_tools) {
+        auto* missing =
+            kit::label(theme,
+                       tr("This level takes %1 devices, and %2 is connected. Connect the other one, "
+                          "then open this screen again.")
+                           .arg(m_context.locale().toString(m_tools),
+                                m_context.locale().toString(static_cast<int>(found.size()))),
+                       TextStyle::small, "bad");
+        missing->setObjectName(QStringLiteral("setup.connected.missing"));
+        m_connected->addWidget(missing);
+        return;
+    }
+    for (int tool = 0; tool < m_tools; ++tool) {
+        const QString title = m_tools == 1 ? tr("Device") : session_report::instrumentName(tool, m_tools);
+        auto* label = kit::label(theme, title, TextStyle::label);
+        auto* choice = new QComboBox;
+        choice->setObjectName(QStringLiteral("setup.connected.%1").arg(tool));
+        choice->setAccessibleName(title);
+        label->setBuddy(choice);
+        for (const devices::FoundDevice& each : found)
+            choice->addItem(nameOf(each), QString::fromStdString(each.address));
+        const int wanted = choice->findData(m_wanted.value(tool));
+        choice->setCurrentIndex(wanted >= 0 ? wanted : tool);
+        m_connected->addWidget(label);
+        m_connected->addWidget(choice);
+        m_addresses.push_back(choice);
+        connect(choice, &QComboBox::currentIndexChanged, this, [this] {
+            m_wanted = chosenAddresses();
+            m_same->setVisible(chosenAddresses().removeDuplicates() > 0);
+            emit changed();
+        });
+    }
+    m_same = kit::label(theme, tr("Choose a different device for each instrument."), TextStyle::small, "bad");
+    m_same->setObjectName(QStringLiteral("setup.connected.same"));
+    m_same->setVisible(chosenAddresses().removeDuplicates() > 0);
+    m_connected->addWidget(m_same);
+}
+
+QStringList DeviceChooser::chosenAddresses() const {
+    QStringList addresses;
+    for (const QComboBox* choice : m_addresses)
+        addresses << choice->currentData().toString();
+    return addresses;
 }
 
 void DeviceChooser::show(const devices::Driver& driver) {
-    const auto at = std::find(m_drivers.begin(), m_drivers.end(), &driver);
+    const auto at = std::find_if(m_drivers.begin(), m_drivers.end(),
+                                 [&driver](const Offered& each) { return each.driver == &driver; });
     if (QAbstractButton* tile = m_group->button(static_cast<int>(at - m_drivers.begin())))
         tile->setChecked(true);
     m_pages->setCurrentIndex(static_cast<int>(driver.movedBy));
-    m_pages->setVisible(driver.movedBy != devices::MovedBy::person);
+    m_pages->setVisible(driver.movedBy != devices::MovedBy::person || offered().connected());
+    showConnected();
 }
 
 void DeviceChooser::setPlan(const TrainingPlan& plan) {
@@ -219,10 +301,12 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
-    const bool offered = std::find(m_drivers.begin(), m_drivers.end(), plan.driver) != m_drivers.end();
+    m_wanted = plan.addresses;
+    const bool present = std::any_of(m_drivers.begin(), m_drivers.end(),
+                                     [&plan](const Offered& each) { return each.driver == plan.driver; });
     const bool possible =
-        offered && (!plan.movedBy(devices::MovedBy::scriptedOperator) || m_operator->count() > 0);
-    show(possible ? *plan.driver : *m_drivers.front());
+        present && (!plan.movedBy(devices::MovedBy::scriptedOperator) || m_operator->count() > 0);
+    show(possible ? *plan.driver : *m_drivers.front().driver);
 }
 
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {
@@ -230,10 +314,16 @@ void DeviceChooser::fillPlan(TrainingPlan& plan) const {
     plan.operatorName = m_operator->currentData().toString();
     plan.forceMap = m_forceMap ? m_forceMap->currentData().toString() : QString();
     plan.traceFile = m_traceFile;
+    plan.addresses = chosenAddresses();
 }
 
 bool DeviceChooser::ready() const {
-    return driver().movedBy != devices::MovedBy::recording || m_traceReady;
+    if (driver().movedBy == devices::MovedBy::recording)
+        return m_traceReady;
+    if (!offered().connected())
+        return true;
+    QStringList addresses = chosenAddresses();
+    return addresses.size() == m_tools && addresses.removeDuplicates() == 0; // a device for each instrument
 }
 
 void DeviceChooser::askTrace() {

@@ -170,7 +170,6 @@ void ExerciseSetupScreen::showLevel() {
     const QStringList gates = gatesInWords(*shown, context().locale());
     m_gates->setText(gates.isEmpty() ? tr("This level has no pass mark.")
                                      : QStringLiteral("•  ") + gates.join(QStringLiteral("\n•  ")));
-    m_note->setVisible(shown->needsForce && shown->shownForce);
     if (shown->shownForce)
         m_note->setText(textOf(shown->shownForce->note));
     showStart();
@@ -184,6 +183,8 @@ void ExerciseSetupScreen::showStart() {
     m_workspace->setHasBase(mountable);
     m_workspace->setVisible(chosen.ownHand() || mountable);
     m_familiarisation->setVisible(chosen.ownHand());
+    const catalogue::ExerciseLevel* shown = level();
+    m_note->setVisible(shown && shown->needsForce && shown->shownForce && !chosen.feltByPerson());
     m_summary->setText(
         tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
     m_start->setText(chosen.ownHand() ? tr("Start") : tr("Watch"));

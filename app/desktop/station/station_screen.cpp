@@ -205,11 +205,12 @@ QWidget* StationScreen::devicesCard() const {
         row->addWidget(kit::label(theme, StationWords::forceClass(driver->deviceClass)), 1);
         box.layout->addLayout(row);
     }
-    box.layout->addWidget(kit::label(theme,
-                                     tr("No maker's haptic device was connected to this version yet: the "
-                                        "driver for devices on a network or serial line was tested against "
-                                        "an emulation."),
-                                     TextStyle::small, "muted"));
+    box.layout->addWidget(
+        kit::label(theme,
+                   tr("No maker's haptic device was connected to this version yet: the "
+                      "driver for devices connected by USB, network or serial line was tested against "
+                      "an emulation."),
+                   TextStyle::small, "muted"));
     return box.frame;
 }
 

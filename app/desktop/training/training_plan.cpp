@@ -19,8 +19,12 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     auto kind = session::exerciseKind(level.exercise);
     CHIRON_TRY(kind);
     switch (plan.driver->movedBy) {
-    case devices::MovedBy::person:
-        return session::personStation(*plan.driver, plan.workspace, **kind, level);
+    case devices::MovedBy::person: {
+        std::vector<std::string> addresses;
+        for (const QString& address : plan.addresses)
+            addresses.push_back(address.toStdString());
+        return session::personStation(*plan.driver, plan.workspace, **kind, level, addresses);
+    }
     case devices::MovedBy::scriptedOperator: {
         const std::string forceMap = plan.forceMap.toStdString();
         session::ScriptedDevice held{.driver = plan.driver, .forceMap = forceMap};
@@ -52,6 +56,7 @@ QVariantMap TrainingPlan::toMap() const {
                     {QStringLiteral("operator"), operatorName},
                     {QStringLiteral("force_map"), forceMap},
                     {QStringLiteral("trace"), traceFile},
+                    {QStringLiteral("addresses"), addresses},
                     {QStringLiteral("scale"), workspace.scale},
                     {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
                     {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
@@ -76,6 +81,7 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.operatorName = map.value(QStringLiteral("operator")).toString();
     plan.forceMap = map.value(QStringLiteral("force_map")).toString();
     plan.traceFile = map.value(QStringLiteral("trace")).toString();
+    plan.addresses = map.value(QStringLiteral("addresses")).toStringList();
     plan.workspace.scale = map.value(QStringLiteral("scale"), 1.0).toDouble();
     plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(),
                                map.value(QStringLiteral("origin_y_m")).toDouble(),

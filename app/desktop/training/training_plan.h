@@ -7,6 +7,7 @@
 #include "session/training_run.h"
 
 #include <QString>
+#include <QStringList>
 #include <QVariantMap>
 #include <optional>
 
@@ -21,7 +22,8 @@ struct TrainingPlan {
     QString operatorName; ///< for a demonstration
     /// For a demonstration on a mechanism with several (KinematicsEntry::forceMaps); empty: the usual one.
     QString forceMap;
-    QString traceFile;                  ///< for a trace
+    QString traceFile;     ///< for a trace
+    QStringList addresses; ///< of connected devices, one for each tool (FoundDevice::address); else empty
     session::WorkspaceChoice workspace; ///< for the mouse
     bool familiarisation = false;
     /// For the mouse: a familiarisation of this length, after which the level itself is offered. 0: none.

@@ -18,6 +18,9 @@ extern "C" {
 #define STATION_FRAME_SIZE 64
 #define STATION_CRC_OFFSET 62
 #define STATION_AXES 8
+// By these a host recognises a station among the USB HID devices, whoever made it.
+#define STATION_HID_USAGE_PAGE 0xFF00
+#define STATION_HID_USAGE 0x4348
 #define STATION_MOST_HOLD_MS 20
 
 enum station_type {

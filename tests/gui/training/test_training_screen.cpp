@@ -20,16 +20,6 @@ using database::SessionState;
 
 namespace {
 
-/// Presses a button of the question that comes up next.
-void answer(const char* button) {
-    QTimer::singleShot(100, qApp, [button] {
-        for (QWidget* top : QApplication::topLevelWidgets())
-            if (auto* found = top->findChild<QPushButton*>(QLatin1String(button)); found && top->isVisible())
-                return found->click();
-        qFatal("no question came up");
-    });
-}
-
 database::SessionRecord recordOf(TrainingBench& bench, database::SessionId id, const database::Actor& actor) {
     auto connection = bench.desktop.database().openReader();
     auto record = database::SessionReader(**connection, actor).session(id);
@@ -477,11 +467,11 @@ void TestTrainingScreen::leavingAsks() {
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
-    answer("training.ask.keep");
+    pressInQuestion("training.ask.keep");
     bench.desktop.go(QStringLiteral("settings"));
     QVERIFY(bench.at(QStringLiteral("training")));
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
-    answer("training.ask.end");
+    pressInQuestion("training.ask.end");
     bench.desktop.go(QStringLiteral("settings"));
     QVERIFY(bench.at(QStringLiteral("settings")));
     QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), kPatience_ms);
@@ -495,7 +485,7 @@ void TestTrainingScreen::endKeepsWhatIsRecorded() {
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
-    answer("training.ask.end");
+    pressInQuestion("training.ask.end");
     bench.desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
@@ -534,13 +524,13 @@ void TestTrainingScreen::startAgainAsksWhoHasWorked() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->feed()->worked_s() > 5.2, kPatience_ms);
     auto* button = bench.desktop.find<QPushButton>(QStringLiteral("training.again"));
     QVERIFY(button && button->isEnabled() && (button->focusPolicy() & Qt::TabFocus));
-    answer("training.ask.keep");
+    pressInQuestion("training.ask.keep");
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QCOMPARE(bench.screen()->feed()->training().sessionId(), first);
     bench.key(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the same attempt goes on
-    answer("training.ask.end");
+    pressInQuestion("training.ask.end");
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() &&
                                  bench.screen()->feed()->training().sessionId() > first,

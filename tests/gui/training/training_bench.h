@@ -5,14 +5,26 @@
 #include "support/content_copy.h"
 #include "support/desktop_fixture.h"
 
+#include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QWheelEvent>
 
 namespace chiron::tests {
+
+/// Presses a button of the question that comes up next.
+inline void pressInQuestion(const char* button) {
+    QTimer::singleShot(100, qApp, [button] {
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (auto* found = top->findChild<QPushButton*>(QLatin1String(button)); found && top->isVisible())
+                return found->click();
+        qFatal("no question came up");
+    });
+}
 
 /// The program's window on a site whose first level is over in seconds, with somebody logged in.
 struct TrainingBench {

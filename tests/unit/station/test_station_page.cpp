@@ -105,6 +105,10 @@ void TestStationPage::itsNumbersAreThoseOfTheCode() {
     QVERIFY(text.contains(QStringLiteral("hold in ms, 1 to %1:").arg(STATION_MOST_HOLD_MS)));
     QVERIFY(
         text.contains(QStringLiteral("After %1 ms without a valid output").arg(STATION_NEW_HOST_US / 1000)));
+    QVERIFY(text.contains(QStringLiteral("Usage page 0x%1 and usage 0x%2")
+                              .arg(STATION_HID_USAGE_PAGE, 4, 16, QLatin1Char('0'))
+                              .arg(STATION_HID_USAGE, 4, 16, QLatin1Char('0')),
+                          Qt::CaseInsensitive));
     QVERIFY(text.contains(QStringLiteral("kinematics parameters (0–%1)").arg(STATION_MOST_PARAMETERS)));
 }
 

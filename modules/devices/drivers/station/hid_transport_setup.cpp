@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/station/hid_transport.h"
 
+#include "station/protocol/station_frame.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <fcntl.h>
 #include <hidapi.h>
+#include <linux/hidraw.h>
 #include <string>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <vector>
 
@@ -16,8 +21,6 @@ namespace chiron::devices {
 
 namespace {
 
-/// The first of the usage pages that makers define for themselves.
-constexpr unsigned kVendorDefined = 0xFF00;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 /// hidapi waits for whole milliseconds; shorter waits look at the device this often.
 constexpr std::int64_t kLook_ns = 50'000;
@@ -73,59 +76,97 @@ private:
     std::uint64_t m_malformed = 0;
 };
 
-/// A node of the kernel's that reaches a device with these numbers.
+/// A node of the kernel's that reaches a device.
 struct PluggedIn {
     std::string path;
+    std::string model;
     std::string serialNumber;
-    bool vendorDefined = false;
+    std::uint16_t vendor = 0;
+    std::uint16_t product = 0;
+    bool saysStation = false; ///< by its usage
 };
 
-/// Serial numbers that USB gives are Unicode; what is not ASCII is shown as "?".
+/// USB's texts are Unicode; what is not ASCII is shown as "?".
 std::string asciiOf(const wchar_t* text) {
     std::string ascii;
     for (; text != nullptr && *text != 0; ++text)
-        ascii += *text > 0x20 && *text < 0x7F ? static_cast<char>(*text) : '?';
+        ascii += *text >= 0x20 && *text < 0x7F ? static_cast<char>(*text) : '?';
     return ascii;
 }
 
-/// What is plugged in with these numbers, each node once. Nothing is opened.
-std::vector<PluggedIn> pluggedIn(const StationAddress& address) {
+/// What is plugged in, each node once; vendor and product 0: whatever they are. Nothing is opened.
+std::vector<PluggedIn> pluggedIn(std::uint16_t vendor, std::uint16_t product) {
     std::vector<PluggedIn> found;
-    hid_device_info* const all = ::hid_enumerate(address.vendor, address.product);
+    hid_device_info* const all = ::hid_enumerate(vendor, product);
     for (const hid_device_info* each = all; each != nullptr; each = each->next) {
-        PluggedIn one{each->path, asciiOf(each->serial_number), each->usage_page >= kVendorDefined};
-        if (!address.serialNumber.empty() && one.serialNumber != address.serialNumber)
-            continue;
+        const bool saysStation =
+            each->usage_page == STATION_HID_USAGE_PAGE && each->usage == STATION_HID_USAGE;
         const auto known = std::find_if(found.begin(), found.end(),
-                                        [&one](const PluggedIn& other) { return other.path == one.path; });
-        if (known == found.end())
-            found.push_back(std::move(one));
+                                        [each](const PluggedIn& other) { return other.path == each->path; });
+        if (known != found.end()) // a node has an entry for each of its usages
+            known->saysStation = known->saysStation || saysStation;
         else
-            known->vendorDefined = known->vendorDefined || one.vendorDefined;
+            found.push_back({each->path, asciiOf(each->product_string), asciiOf(each->serial_number),
+                             each->vendor_id, each->product_id, saysStation});
     }
     ::hid_free_enumeration(all);
-    // A device with a keyboard or a mouse of its own has a node for each.
-    if (std::any_of(found.begin(), found.end(), [](const PluggedIn& one) { return one.vendorDefined; }))
-        std::erase_if(found, [](const PluggedIn& one) { return !one.vendorDefined; });
     return found;
 }
 
-std::string nameOf(const StationAddress& address) {
+/// The nodes that an address can mean.
+std::vector<PluggedIn> meantBy(const StationAddress& address) {
+    std::vector<PluggedIn> found = pluggedIn(address.vendor, address.product);
+    if (!address.serialNumber.empty())
+        std::erase_if(found,
+                      [&address](const PluggedIn& one) { return one.serialNumber != address.serialNumber; });
+    // A device with a keyboard or a mouse of its own has a node for each.
+    if (std::any_of(found.begin(), found.end(), [](const PluggedIn& one) { return one.saysStation; }))
+        std::erase_if(found, [](const PluggedIn& one) { return !one.saysStation; });
+    return found;
+}
+
+std::string addressOf(std::uint16_t vendor, std::uint16_t product, const std::string& serialNumber) {
     char ids[16];
-    (void)std::snprintf(ids, sizeof ids, "%04x:%04x", unsigned{address.vendor}, unsigned{address.product});
-    return std::string("station at hid:") + ids +
-           (address.serialNumber.empty() ? "" : ":" + address.serialNumber);
+    (void)std::snprintf(ids, sizeof ids, "%04x:%04x", unsigned{vendor}, unsigned{product});
+    return std::string("hid:") + ids + (serialNumber.empty() ? "" : ":" + serialNumber);
+}
+
+/// Why this node cannot be opened, as errno; 0: it can. hidapi 0.13.1 uses freed memory in hid_open_path()
+/// where a node opens and then does not answer: after this look, only one that goes in between can do that.
+int problemOf(const std::string& path) {
+    const int node = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (node < 0)
+        return errno;
+    int size = 0;
+    const int problem = ::ioctl(node, HIDIOCGRDESCSIZE, &size) < 0 ? errno : 0;
+    ::close(node);
+    return problem;
 }
 
 } // namespace
 
+std::vector<FoundStation> findHidStations() {
+    std::vector<FoundStation> stations;
+    if (::hid_init() != 0)
+        return stations;
+    for (const PluggedIn& one : pluggedIn(0, 0))
+        if (one.saysStation)
+            stations.push_back(
+                {one.model, one.serialNumber, addressOf(one.vendor, one.product, one.serialNumber)});
+    std::sort(stations.begin(), stations.end(),
+              [](const FoundStation& a, const FoundStation& b) { return a.serialNumber < b.serialNumber; });
+    return stations;
+}
+
 core::Result<std::unique_ptr<IStationTransport>> openHid(const StationAddress& address) {
     const auto refuse = [&address](const std::string& why) {
-        return core::fail(core::ErrorCode::device, nameOf(address) + ": " + why);
+        return core::fail(core::ErrorCode::device,
+                          "station at " + addressOf(address.vendor, address.product, address.serialNumber) +
+                              ": " + why);
     };
     if (::hid_init() != 0)
         return refuse("USB HID is not available on this computer");
-    const std::vector<PluggedIn> found = pluggedIn(address);
+    const std::vector<PluggedIn> found = meantBy(address);
     if (found.empty())
         return refuse("no such USB device is plugged in; check that it is plugged in and switched on");
     if (found.size() > 1) {
@@ -137,11 +178,13 @@ core::Result<std::unique_ptr<IStationTransport>> openHid(const StationAddress& a
                       "; add the one that is meant, as hid:VVVV:PPPP:SERIAL");
     }
     const std::string& path = found.front().path;
-    if (hid_device* const device = ::hid_open_path(path.c_str()); device != nullptr)
-        return std::make_unique<HidTransport>(device);
-    if (::access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
+    const int problem = problemOf(path);
+    if (problem == EACCES || problem == EPERM)
         return refuse("this person may not open " + path +
-                      "; install the rule of packaging/udev, then plug the station in again");
+                      "; install the rule packaging/udev/70-chiron-station.rules, then plug the station in "
+                      "again");
+    if (hid_device* const device = problem == 0 ? ::hid_open_path(path.c_str()) : nullptr; device != nullptr)
+        return std::make_unique<HidTransport>(device);
     return refuse(path + " cannot be opened; plug the station in again");
 }
 

@@ -3,16 +3,22 @@
 
 #include "core/marked_texts.h"
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
+#include "devices/drivers/station/hid_transport.h"
 #include "devices/drivers/station/station_tool.h"
+
+#include <utility>
 
 namespace chiron::devices {
 
 namespace {
 
 /// A station on a network or a serial line is not looked for: a question to a device of somebody else could
-/// move it.
+/// move it. On USB a device says what it is without being asked.
 std::vector<FoundDevice> discoverStations() {
-    return {};
+    std::vector<FoundDevice> found;
+    for (FoundStation& each : findHidStations())
+        found.push_back({std::move(each.model), std::move(each.serialNumber), std::move(each.address)});
+    return found;
 }
 
 /// Whether any axis turns the tool.
@@ -75,19 +81,19 @@ constexpr KinematicsEntry kStationKinematics[]{{"cartesian", makeKinematicsOf<Ca
 
 const Driver kStationDriver{
     .id = "station",
-    .title = "Haptic station: force is felt, over a network or a serial line",
-    .needs = "a station that speaks the station protocol, and its address (train --address); tested against "
-             "an emulation, never met hardware",
+    .title = "Haptic station: force is felt, over USB, a network or a serial line",
+    .needs = "a station that speaks the station protocol, on USB or at an address (train --address); tested "
+             "against an emulation, never met hardware",
     .planWord = "station",
     .deviceClass = DeviceClass::felt,
     .movedBy = MovedBy::person,
     .kinematics = kStationKinematics,
     .discover = discoverStations,
     .open = openStations,
-    .name = QT_TRANSLATE_NOOP("Drivers", "Haptic device over a network or serial line"),
+    .name = QT_TRANSLATE_NOOP("Drivers", "Haptic device (USB, network or serial line)"),
     .readiness = QT_TRANSLATE_NOOP(
-        "Drivers", "Its forces are felt. Only the command line uses it so far (see chiron-cli "
-                   "train --help). Tested against an emulation; it never met hardware."),
+        "Drivers", "Its forces are felt. Plug it in by USB, or give its address on the command line (see "
+                   "chiron-cli train --help). Tested against an emulation; it never met hardware."),
 };
 
 } // namespace chiron::devices
