@@ -53,6 +53,11 @@ constexpr Fixed kFixed[] = {
     {"damping_Ns_per_m", &Object::damping_Ns_per_m},
 };
 
+/// 37°: a hand that comes from the side, where nothing is compared, meets 1.6 times the stiffness of the top.
+/// It is about as steep as the roughest pads, so that one bound of the load holds for both (load_N).
+constexpr double kPadSlope = 0.75;
+constexpr double kSteepestPad = 10.0;
+
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass",     "deformation",
                                                  "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
@@ -68,7 +73,8 @@ constexpr const char* kOthers[] = {"attribute",
                                    "control",
                                    "leave_before_again",
                                    "free_first",
-                                   "touched_once_lifted"};
+                                   "touched_once_lifted",
+                                   "pad_slope"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -139,6 +145,9 @@ QJsonObject parametersJson(const Parameters& p) {
     // Absent in sessions of earlier versions, in which an object that was pressed counted as touched.
     if (p.touchedOnceLifted)
         out["touched_once_lifted"] = true;
+    // Absent in sessions of earlier versions, whose pads fell off ever more steeply.
+    if (p.padSlope > 0.0)
+        out["pad_slope"] = p.padSlope;
     // Absent in sessions without a free minute, and in those of earlier versions.
     if (p.freeFirst)
         out["free_first"] = true;
@@ -194,6 +203,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.leaveBeforeAgain = parameters.boolean("leave_before_again");
     if (parameters.has("touched_once_lifted"))
         p.touchedOnceLifted = parameters.boolean("touched_once_lifted");
+    if (parameters.has("pad_slope"))
+        p.padSlope = parameters.number("pad_slope");
     if (parameters.has("free_first"))
         p.freeFirst = parameters.boolean("free_first");
     for (const ParameterRow<Parameters>& row : yieldRows())
@@ -220,6 +231,9 @@ void checkComparison(const ExerciseParameters& parameters, const QString& path, 
     if (!(p.probeAtLeast_N >= 0.0 && p.probeAtLeast_N <= 100.0))
         problems.push_back({memberPath(path, "probe_at_least_N"), QString::number(p.probeAtLeast_N),
                             QStringLiteral("0 to 100 N")});
+    if (!(p.padSlope >= 0.0 && p.padSlope <= kSteepestPad))
+        problems.push_back({memberPath(path, "pad_slope"), QString::number(p.padSlope),
+                            QStringLiteral("0 to %1").arg(kSteepestPad)});
     checkYield(p.yield, p.maximumForce_N, path, problems);
     if (p.arrangements.empty() || p.arrangements.size() > 16)
         problems.push_back({memberPath(path, "arrangements"), QString::number(p.arrangements.size()),
@@ -283,6 +297,8 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
     p.leaveBeforeAgain = p.attribute == simulation::ComparedAttribute::stiffness;
     p.touchedOnceLifted = p.attribute == simulation::ComparedAttribute::mass;
+    if (!simulation::isHooked(p.attribute))
+        p.padSlope = kPadSlope;
     // No more is felt than the cap, so nobody who lifts an object and sets it down again gets there.
     if (p.attribute == simulation::ComparedAttribute::mass)
         p.yield.force_N = kLatestYield * p.maximumForce_N;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace chiron::tests {
 
@@ -28,6 +29,13 @@ double largestOf(const ComparisonParameters& p) {
     for (const auto& candidate : p.values)
         largest = std::max(largest, *std::max_element(candidate.begin(), candidate.end()));
     return largest;
+}
+
+double smallestOf(const ComparisonParameters& p) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto& candidate : p.values)
+        smallest = std::min(smallest, *std::min_element(candidate.begin(), candidate.end()));
+    return smallest;
 }
 
 /// What a tool does with one object on its bed, by where its tip goes: the object is taken hold of at its
@@ -147,7 +155,9 @@ private:
     double abovePad_m(int place, const Vec3& p) const {
         const Vec3 from = p - footOf(place);
         const double out_m = std::max(0.0, std::hypot(from.x(), from.y()) - m_p.padRadius_m);
-        return from.z() + 0.5 * out_m * out_m / m_p.padEdge_m - m_rise_m;
+        const double round_m = std::min(out_m, m_p.padEdge_m * m_p.padSlope);
+        const double fall_m = 0.5 * round_m * round_m / m_p.padEdge_m + m_p.padSlope * (out_m - round_m);
+        return from.z() + fall_m - m_rise_m;
     }
     ComparisonParameters m_p;
     double m_rise_m;
@@ -165,6 +175,12 @@ void addPad(LevelNumbers& numbers, const ComparisonParameters& p) {
     if (p.attribute == ComparedAttribute::roughness)
         pad.roughness_m = largestOf(p);
     addSurface(numbers, pad);
+    numbers.turn_per_m = 1.0 / p.padEdge_m;
+    if (p.attribute == ComparedAttribute::deformation) {
+        numbers.relaxes_s = smallestOf(p);
+        numbers.relaxing_N_per_m = pad.recoveryShare * pad.stiffness_N_per_m *
+                                   (1.0 + p.padSlope * p.padSlope) * static_cast<double>(p.places);
+    }
 }
 
 class ComparisonFacts final : public SweepFacts {

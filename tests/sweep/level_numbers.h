@@ -26,6 +26,9 @@ struct LevelNumbers {
     double bristle_N_per_m = 0.0;
     /// How fast the slope of a rough surface changes along it, 1/m (roughCurvature_per_m).
     double rough_per_m = 0.0;
+    double turn_per_m = 0.0; ///< how fast the normal of a smooth surface turns at most
+    /// Of the surfaces that recover and may act at once: their k₁ in all, and their shortest τ.
+    double relaxing_N_per_m = 0.0, relaxes_s = 1.0;
     double turn_Nm_per_rad = 0.0; ///< how stiff the tissue turns the tool back; 0: not at all
     /// The same for a way: the canal turns along it, the pivot's lever, and it gets stiffer.
     double turn_Nm_per_m = 0.0;

@@ -118,7 +118,7 @@ private:
         m_guess = core::Random::stream(m_setup.seed, "sweep guess");
         m_before.assign(m_reach.size(), {});
         m_bitsBefore = {};
-        m_stiffnessBefore = 0.0;
+        m_stiffnessBefore = m_storedBefore_J = 0.0;
         m_open = false;
     }
 
@@ -288,6 +288,7 @@ private:
         m_result.touching += touching ? 1 : 0;
         count(touching, appeared, work, path, tick);
         m_stiffnessBefore = m_out.contactStiffness_N_per_m;
+        m_storedBefore_J = m_out.storedEnergy_J;
         m_phaseBefore = m_out.phase;
     }
 
@@ -310,7 +311,7 @@ private:
     }
 
     /// How much a force may change in one tick, but for 0.1 N (testing.md, The sweep, argues each term):
-    ///   (1 + μ) ((k + F ∇∇h) w + b Δv + Δb v) + σ₀ w + B
+    ///   (1 + μ) ((k + F ∇∇h) w + b (Δv + v c w) + Δb v + √(2 k₁ U) dt/τ) + σ₀ w + B
     /// w: the way, between tool and object, which of a tube is the way between the hands that hold it; k and
     /// b as the scene reports them, the larger of both ticks; v, Δv: speed and its change; B: what is meant
     /// to break.
@@ -329,9 +330,12 @@ private:
         const double stiffness =
             std::max(m_out.contactStiffness_N_per_m, m_stiffnessBefore) +
             m_numbers.rough_per_m * std::max(m_out.tissue.tools[i].force.norm(), before.force.norm());
+        const double damps = std::max(damping, before.damping_Ns_per_m);
+        const double relaxes_N = std::sqrt(2.0 * m_numbers.relaxing_N_per_m * m_storedBefore_J) *
+                                 core::kTickSeconds / m_numbers.relaxes_s;
         return (1.0 + m_numbers.friction) *
-                   (stiffness * way + std::max(damping, before.damping_Ns_per_m) * sped +
-                    std::abs(damping - before.damping_Ns_per_m) * speed) +
+                   (stiffness * way + damps * (sped + speed * m_numbers.turn_per_m * way) +
+                    std::abs(damping - before.damping_Ns_per_m) * speed + relaxes_N) +
                m_numbers.bristle_N_per_m * way + m_numbers.breaks_N_per_ms;
     }
 
@@ -442,7 +446,7 @@ private:
     std::array<std::optional<Vec3>, core::kMaxTools> m_met; ///< where each last touched tissue that was whole
     core::Random m_guess = core::Random::stream(0, "sweep guess");
     std::size_t m_wayAt = 0;
-    double m_stiffnessBefore = 0.0;
+    double m_stiffnessBefore = 0.0, m_storedBefore_J = 0.0;
     core::TrialPhase m_phaseBefore = core::TrialPhase::idle;
     bool m_open = false;    ///< the books began with nothing stored
     bool m_touched = false; ///< since then

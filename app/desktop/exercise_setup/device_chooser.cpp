@@ -239,13 +239,7 @@ void DeviceChooser::showConnected() {
     const Theme& theme = m_context.theme();
     const std::vector<devices::FoundDevice>& found = offered().found;
     if (static_cast<int>(found.size()) < m_tools) {
-        auto* missing =
-            kit::label(theme,
-                       tr("This level takes %1 devices, and %2 is connected. Connect the other one, "
-                          "then open this screen again.")
-                           .arg(m_context.locale().toString(m_tools),
-                                m_context.locale().toString(static_cast<int>(found.size()))),
-                       TextStyle::small, "bad");
+        auto* missing = kit::label(theme, hindrance(), TextStyle::small, "bad");
         missing->setObjectName(QStringLiteral("setup.connected.missing"));
         m_connected->addWidget(missing);
         return;
@@ -317,13 +311,18 @@ void DeviceChooser::fillPlan(TrainingPlan& plan) const {
     plan.addresses = chosenAddresses();
 }
 
-bool DeviceChooser::ready() const {
+QString DeviceChooser::hindrance() const {
     if (driver().movedBy == devices::MovedBy::recording)
-        return m_traceReady;
+        return m_traceReady ? QString() : m_traceWords->text();
     if (!offered().connected())
-        return true;
-    QStringList addresses = chosenAddresses();
-    return addresses.size() == m_tools && addresses.removeDuplicates() == 0; // a device for each instrument
+        return {};
+    if (const int found = static_cast<int>(offered().found.size()); found < m_tools)
+        return tr("This level takes %1 devices, and %2 is connected. Connect the other one, then open this "
+                  "screen again.")
+            .arg(m_context.locale().toString(m_tools), m_context.locale().toString(found));
+    if (chosenAddresses().removeDuplicates() > 0)
+        return tr("Choose a different device for each instrument.");
+    return {};
 }
 
 void DeviceChooser::askTrace() {

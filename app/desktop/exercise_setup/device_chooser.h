@@ -35,7 +35,7 @@ public:
     void setTools(int tools);
     void setPlan(const TrainingPlan& plan); ///< adopts device, operator and trace of the plan
     void fillPlan(TrainingPlan& plan) const;
-    bool ready() const; ///< true if training can start with this choice
+    QString hindrance() const; ///< why training cannot start with this choice; empty if it can
 
 signals:
     void changed();

@@ -185,10 +185,13 @@ void ExerciseSetupScreen::showStart() {
     m_familiarisation->setVisible(chosen.ownHand());
     const catalogue::ExerciseLevel* shown = level();
     m_note->setVisible(shown && shown->needsForce && shown->shownForce && !chosen.feltByPerson());
+    const QString hindrance = m_devices->hindrance();
     m_summary->setText(
-        tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
+        hindrance.isEmpty()
+            ? tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen))
+            : hindrance);
     m_start->setText(chosen.ownHand() ? tr("Start") : tr("Watch"));
-    m_start->setEnabled(m_devices->ready());
+    m_start->setEnabled(hindrance.isEmpty());
     m_watch->setVisible(chosen.ownHand() && expertPlan(m_exercise->id, chosen.level));
 }
 

@@ -116,20 +116,40 @@ void ComparedObject::yieldTo(ComparedResponse& pressed) noexcept {
     pressed.damping_Ns_per_m *= holds;
 }
 
+ComparedObject::Top ComparedObject::topAt(double rho_m) const noexcept {
+    const double out_m = std::max(0.0, rho_m - m_radius_m);
+    const double round_m = m_edge_m * m_slope; // of the edge, before the cone begins
+    if (m_slope > 0.0 && out_m > round_m)
+        return {m_slope * (out_m - 0.5 * round_m), m_slope, m_slope / rho_m, 0.0, 0.0};
+    Top top{.fall_m = 0.5 * out_m * out_m / m_edge_m, .slope = out_m / m_edge_m};
+    if (out_m > 0.0)
+        top.turn_per_m = 1.0 / m_edge_m;
+    if (m_slope > 0.0) { // a smoothstep
+        const double t = out_m / round_m;
+        top.rough = 1.0 - t * t * (3.0 - 2.0 * t);
+        top.roughSlope_per_m = -6.0 * t * (1.0 - t) / round_m;
+    }
+    return top;
+}
+
 ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v,
                                        double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     ContactPlace place;
     const core::Vec3 across(p.x() - m_foot.x(), p.y() - m_foot.y(), 0.0);
     const double rho_m = across.norm();
-    const double out_m = std::max(0.0, rho_m - m_radius_m);
-    const double top_m = m_foot.z() - 0.5 * out_m * out_m / m_edge_m;
+    const Top top = topAt(rho_m);
+    const double top_m = m_foot.z() - top.fall_m;
     place.depth_m = top_m - p.z();
     place.depthGradient = -core::Vec3::UnitZ();
-    if (out_m > 0.0)
-        place.depthGradient -= across * (out_m / (m_edge_m * rho_m));
-    place.normal = -place.depthGradient.normalized();
-    place.foot = core::Vec3(p.x(), p.y(), top_m);
+    if (top.slope > 0.0)
+        place.depthGradient -= across * (top.slope / rho_m);
+    place.roughShare = top.rough;
+    if (top.roughSlope_per_m != 0.0)
+        place.roughShareGradient = across * (top.roughSlope_per_m / rho_m);
+    const bool bounded = m_slope > 0.0;
+    place.normal = bounded ? core::Vec3(core::Vec3::UnitZ()) : core::Vec3(-place.depthGradient.normalized());
+    place.foot = core::Vec3(p.x(), p.y(), bounded ? m_foot.z() : top_m);
     place.position = p;
     place.velocity = v;
     place.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
@@ -138,10 +158,15 @@ ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v,
     out.energy_J = contact.energy_J;
     out.damping_Ns_per_m = contact.damping_Ns_per_m;
     out.stiffness_N_per_m = contact.stiffness_N_per_m;
+    if (bounded) // of the energy's second derivative: k ∇d ∇dᵀ + F ∇∇d
+        out.stiffness_N_per_m = contact.stiffness_N_per_m * place.depthGradient.squaredNorm() +
+                                contact.normalForce_N * top.turn_per_m;
+    if (bounded && m_steepest > 1.0) // the slope differs where the energy does not
+        out.load_N2 = 2.0 * m_pad.elastic().stiffness_N_per_m * contact.energy_J;
     out.displacement_m = contact.depth_m;
     out.depth_m = place.depth_m;
     out.touching = contact.inContact;
-    out.surfacePoint = contact.inContact ? place.foot : p;
+    out.surfacePoint = contact.inContact ? core::Vec3(p.x(), p.y(), top_m) : p;
     return out;
 }
 

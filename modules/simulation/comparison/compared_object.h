@@ -17,6 +17,9 @@ struct ComparedResponse {
     core::Vec3 force = core::Vec3::Zero();        ///< N
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool
     double energy_J = 0.0;
+    /// Square of a force that follows from the energy alone, for SceneOutput::load_N: squares of pads between
+    /// which a tool is add up as their energies do. 0: no bound is known.
+    double load_N2 = 0.0;
     double stiffness_N_per_m = 0.0;
     double damping_Ns_per_m = 0.0; ///< the part of the tool's budget that it uses
     /// Stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad.
@@ -35,7 +38,9 @@ struct ComparedResponse {
 /// its
 ///   weight alone.
 /// - The others: a pad, ObjectContact on z = −max(0, ρ − R)²/(2e), a height field, so that f = −∇U in its
-///   conservative part; flat where ρ < R and continuous everywhere.
+///   conservative part; flat where ρ < R and continuous everywhere. Beyond R + e s it goes on as a cone of
+///   slope s, where `padSlope` states s: a hand that pushes from far outside meets at most √(1 + s²) times
+///   the force of the same depth on the top.
 ///
 /// A tool takes hold of a tube where it is slack within `hookReach_m` of its end, and lets go of it where it
 /// is slack beyond `hookLeave_m`. With `leaveBeforeAgain` it then takes hold again only after it has been
@@ -61,6 +66,8 @@ public:
     /// Out of contact, so that it can be changed unfelt.
     bool free() const noexcept { return !m_touching && !m_held; }
     bool held() const noexcept { return m_held; } ///< by the tool
+    /// How many times that force the pad's own may be, because it is rough; 1: smooth.
+    double steepest() const noexcept { return m_steepest; }
 
     /// Advances by one tick with the tool at `p`, moving with `v` (W, finite). `mostDamping_Ns_per_m` is the
     /// tool's damping budget. `mayLift`: the tool may take hold of an object to lift it.
@@ -74,6 +81,12 @@ private:
     ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m,
                           bool mayLift) noexcept;
     ComparedResponse press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    struct Top {
+        double fall_m = 0.0;                        ///< below the flat part
+        double slope = 0.0, turn_per_m = 0.0;       ///< of its fall outwards, and how fast that changes
+        double rough = 1.0, roughSlope_per_m = 0.0; ///< share of the roughness, and how it changes outwards
+    };
+    Top topAt(double rho_m) const noexcept;
     void yieldTo(ComparedResponse& pressed) noexcept;
     void comeOff() noexcept;
     core::Vec3 ring() const noexcept { return m_foot + core::Vec3(0.0, 0.0, m_height_m); }
@@ -81,7 +94,7 @@ private:
     ComparedAttribute m_attribute = ComparedAttribute::stiffness;
     core::Vec3 m_foot = core::Vec3::Zero();
     double m_height_m = 0.0, m_reach_m = 0.0, m_leave_m = 0.0;
-    double m_radius_m = 0.0, m_edge_m = 1.0;
+    double m_radius_m = 0.0, m_edge_m = 1.0, m_slope = 0.0, m_steepest = 1.0;
     TubeLaw m_tube;
     double m_mass_kg = 0.0, m_bed_N_per_m = 1.0, m_bedDamping_Ns_per_m = 0.0;
     ContactYield m_yield; ///< of the bed

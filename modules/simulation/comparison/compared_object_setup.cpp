@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/comparison/compared_object.h"
 
+#include "core/units.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::simulation {
+
+namespace {
+
+/// How many times √(2kU) the force of rough pads may be, U being the energy of all `places` together: either
+/// one pad's alone, whose outward normal −∇d' is longer than 1 by three standard deviations of its slope
+/// (waves of one length in all directions have one of rms (2π/λ) √(2/3) along a plane); or all edges at once,
+/// between which a tool is pressed, where the roughness has faded out and the forces add up as √places at
+/// most.
+double steepestOf(const ObjectAttributes& pad, double edge, int places) noexcept {
+    const double wavelength_m = std::max(pad.roughnessWavelength_m, Roughness::kShortestWavelength_m);
+    const double rough = 3.0 * pad.roughness_m * (2.0 * core::kPi / wavelength_m) * std::sqrt(2.0 / 3.0);
+    return std::max(std::hypot(1.0, rough), std::sqrt(static_cast<double>(places)) * std::hypot(1.0, edge));
+}
+
+} // namespace
 
 void ComparedObject::set(const ComparisonParameters& p, int place, double value,
                          std::uint64_t seed) noexcept {
@@ -20,6 +38,7 @@ void ComparedObject::set(const ComparisonParameters& p, int place, double value,
     m_leaveBeforeAgain = p.leaveBeforeAgain;
     m_radius_m = p.padRadius_m;
     m_edge_m = p.padEdge_m;
+    m_slope = p.padSlope;
     const ObjectAttributes& o = p.object;
     switch (p.attribute) {
     case ComparedAttribute::stiffness:
@@ -51,6 +70,7 @@ void ComparedObject::set(const ComparisonParameters& p, int place, double value,
     pad.viscosity_Ns_per_m = p.attribute == ComparedAttribute::viscosity ? value : o.viscosity_Ns_per_m;
     pad.damping_Ns_per_m = o.damping_Ns_per_m;
     m_pad = ObjectContact(pad);
+    m_steepest = pad.roughness_m > 0.0 ? steepestOf(pad, p.padSlope, p.places) : 1.0;
 }
 
 } // namespace chiron::simulation

@@ -43,6 +43,11 @@ struct ComparisonParameters {
     double padRadius_m = 0.009; ///< of the flat top of a pad
     /// How softly it falls off beyond: e metres further out it lies e²/(2·padEdge) lower.
     double padEdge_m = 0.004;
+    /// How steeply it falls off at most, as height over way: from there on a cone. With a bound, roughness is
+    /// read along the plane and fades out over the edge, so that the force is a gradient there, too, and the
+    /// stiffness that is told counts the slope and how fast it turns. 0: without bound, as in sessions of
+    /// earlier versions.
+    double padSlope = 0.0;
     /// Height above its foot at which a tube or an object is taken hold of; a tube's rest length.
     double hookHeight_m = 0.030;
     double hookReach_m = 0.006; ///< how near the tip has to come to that point

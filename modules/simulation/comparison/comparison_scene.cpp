@@ -6,6 +6,7 @@
 #include "cues/laparoscopy_cues.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace chiron::simulation {
@@ -100,6 +101,9 @@ void ComparisonScene::setPlaces(bool onlyChanged) noexcept {
         else
             m_objects[i].clear();
     }
+    m_steepest = 1.0; // the same for all, so that the load follows from the energy wherever the tool is
+    for (const ComparedObject& object : m_objects)
+        m_steepest = std::max(m_steepest, object.present() ? object.steepest() : 1.0);
 }
 
 bool ComparisonScene::known(const core::PresentationWord& word) const noexcept {
@@ -158,8 +162,10 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     else
         for (ComparedObject& object : m_objects)
             object.release();
-    if (m_parameters.control == ComparisonControl::gain)
+    if (m_parameters.control == ComparisonControl::gain) {
         out.tissue.tools[0].force *= kControlGain;
+        out.load_N[0] *= kControlGain;
+    }
     if (felt.touching != m_touching)
         out.events |= felt.touching ? bits::kContactBegan : bits::kContactEnded;
     m_touching = felt.touching;
@@ -184,14 +190,18 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
     ComparedResponse felt;
     const std::span objects(m_objects.data(), static_cast<std::size_t>(m_parameters.places));
     const auto holds = [&] { return std::ranges::any_of(objects, &ComparedObject::held); };
-    double most_N = -1.0;
+    double most_N = -1.0, load_N2 = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
         const ComparedResponse response = m_objects[i].respond(tool.p_WT, tool.v_WT, budget.left_Ns_per_m(),
                                                                !m_parameters.liftsOne() || !holds());
         budget.spend(response.damping_Ns_per_m);
         out.tissue.tools[0].force += response.force;
         out.storedEnergy_J += response.energy_J;
-        out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        load_N2 += response.load_N2;
+        out.contactStiffness_N_per_m =
+            m_parameters.padSlope > 0.0 // several may be touched between them
+                ? out.contactStiffness_N_per_m + response.stiffness_N_per_m
+                : std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
         out.contact[0] |= response.contact;
         if (response.touching && response.depth_m > kCheckedContactDepth_m)
             out.contact[0] |= core::contact_bits::kBeyondChecked;
@@ -206,6 +216,7 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
             m_touched |= 1u << i;
     }
     out.damping_Ns_per_m[0] = budget.used_Ns_per_m();
+    out.load_N[0] = m_steepest * std::sqrt(load_N2);
     return felt;
 }
 

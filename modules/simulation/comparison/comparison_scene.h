@@ -89,6 +89,7 @@ private:
     bool m_buttonWasDown = true;
     std::uint32_t m_touched = 0;
     int m_place = -1;
+    double m_steepest = 1.0; ///< of the pads at hand (ComparedObject::steepest())
     bool m_touching = false;
     bool m_paused = false;
     std::array<ComparedObject, ComparisonParameters::kMaxPlaces> m_objects;

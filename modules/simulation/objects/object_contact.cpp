@@ -15,8 +15,10 @@ ObjectContactResponse ObjectContact::respond(const ContactPlace& place, double d
     core::Vec3 outward = -place.depthGradient;
     if (!m_roughness.smooth() && depth > -reach_m()) {
         const RoughnessSample micro = m_roughness.sample(place.foot);
-        depth += micro.height_m;
-        outward -= place.footScale * (micro.gradient - place.normal * place.normal.dot(micro.gradient));
+        depth += place.roughShare * micro.height_m;
+        outward -= place.roughShare * place.footScale *
+                       (micro.gradient - place.normal * place.normal.dot(micro.gradient)) +
+                   micro.height_m * place.roughShareGradient;
     }
     const double slant = outward.norm();
     out.normal = slant > 0.0 ? core::Vec3(outward / slant) : place.normal;

@@ -27,6 +27,10 @@ struct ContactPlace {
     /// How far C moves per metre of the tool's sideways motion: 1 on a plane (and a mesh's facet), R/(R − d)
     /// on a sphere.
     double footScale = 1.0;
+    /// Share of the micro-height that counts here, and how it changes along the tool's way, 1/m: 1 and 0, but
+    /// where the roughness of an object fades out.
+    double roughShare = 1.0;
+    core::Vec3 roughShareGradient = core::Vec3::Zero();
     core::Vec3 position = core::Vec3::Zero(); ///< of the tool, for friction
     core::Vec3 velocity = core::Vec3::Zero(); ///< of the tool
     /// The part of the tool's damping budget that this contact may use.

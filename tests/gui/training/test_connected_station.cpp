@@ -141,7 +141,9 @@ void TestConnectedStation::aDeviceForEachInstrument() {
         TrainingBench bench;
         openSetup(bench, "elastic_tube", 4);
         stationTile(bench)->click();
-        QVERIFY(shown<QLabel>(bench, "setup.connected.missing"));
+        const auto* missing = shown<QLabel>(bench, "setup.connected.missing");
+        QVERIFY(missing);
+        QCOMPARE(shown<QLabel>(bench, "setup.summary")->text(), missing->text()); // beside Start, too
         QVERIFY(!bench.desktop.find<QPushButton>(QStringLiteral("setup.start"))->isEnabled());
     }
     HidComputer::plugIn(1, "R-2");

@@ -238,6 +238,25 @@ void TestStudyContent::whatAReplayNeedsIsStored() {
         const auto& read = level.parameters.as<simulation::ComparisonParameters>();
         QVERIFY(read.leaveBeforeAgain == is && read.freeFirst == is);
     }
+    QCOMPARE(parameters->padSlope, 0.0); // of a tube
+    condition.stimulus.attribute = psychophysics::Attribute::friction;
+    condition.stimulus.reference = 0.25;
+    parameters = comparisonOf(condition, study->trial);
+    QVERIFY(parameters && parameters->padSlope > 0.0);
+    for (const double slope : {0.75, 0.0}) { // 0: as in sessions of earlier versions
+        parameters->padSlope = slope;
+        const ExerciseLevel level = comparisonLevel(*parameters, "study", "a");
+        QCOMPARE(level.parameters.as<simulation::ComparisonParameters>().padSlope, slope);
+        QCOMPARE(level.resolvedJson.find("pad_slope") != std::string::npos, slope > 0.0);
+    }
+    parameters->padSlope = 11.0;
+    Problems problems;
+    checkComparison(ExerciseParameters(*parameters), QStringLiteral("level"), problems);
+    QCOMPARE(problems.size(), std::size_t{1});
+    QCOMPARE(problems.front().path, QStringLiteral("level.pad_slope"));
+    condition.stimulus.attribute = psychophysics::Attribute::stiffness;
+    condition.stimulus.reference = 300.0;
+    parameters = comparisonOf(condition, study->trial);
     QVERIFY(std::isinf(parameters->yield.force_N));
     condition.stimulus.attribute = psychophysics::Attribute::mass;
     condition.stimulus.reference = 0.1;

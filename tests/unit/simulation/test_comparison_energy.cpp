@@ -16,6 +16,38 @@ namespace q = comparison_quantity;
 
 namespace {
 
+/// Anywhere about the pads, above, within and far below their tops.
+Vec3 anywhere(core::Random& random) {
+    return {random.uniform(-0.080, 0.080), random.uniform(-0.040, 0.040), random.uniform(-0.080, 0.002)};
+}
+
+/// Rough pads without damping, whose trial runs.
+struct RoughPads : ComparisonDriver {
+    explicit RoughPads(double slope) : ComparisonDriver(withSlope(slope)) { startRunning(); }
+    static ComparisonParameters withSlope(double slope) {
+        ComparisonParameters p = lossless(ComparedAttribute::roughness);
+        p.padSlope = slope;
+        return p;
+    }
+};
+
+const SceneOutput& at(ComparisonDriver& d, const Vec3& p) {
+    d.last = d.tool().p_WT = p; // without a velocity
+    return d.tick();
+}
+
+/// −∇U at `p`, by central differences.
+Vec3 fall(ComparisonDriver& d, const Vec3& p) {
+    constexpr double kStep_m = 1e-6;
+    Vec3 down;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Vec3 step = kStep_m * Vec3::Unit(axis);
+        const double over_J = at(d, p + step).storedEnergy_J;
+        down[axis] = -(over_J - at(d, p - step).storedEnergy_J) / (2.0 * kStep_m);
+    }
+    return down;
+}
+
 bool conservative(ComparedAttribute attribute) {
     return attribute == ComparedAttribute::stiffness || attribute == ComparedAttribute::mass;
 }
@@ -32,6 +64,10 @@ private slots:
     void noTickMakesEnergy_data();
     void noTickMakesEnergy();
     void closedPathsBothWays();
+    void aBoundedPadIsAPotentialToItsEdges_data();
+    void aBoundedPadIsAPotentialToItsEdges();
+    void aPadIsNoSteeperThanStated();
+    void theLoadFollowsFromTheEnergy();
 };
 
 void TestComparisonEnergy::noStepOverAnyEdge_data() {
@@ -128,6 +164,78 @@ void TestComparisonEnergy::closedPathsBothWays() {
             }
         }
     }
+}
+
+void TestComparisonEnergy::aBoundedPadIsAPotentialToItsEdges_data() {
+    QTest::addColumn<double>("slope");
+    QTest::addColumn<bool>("potential");
+    QTest::newRow("bounded") << 0.75 << true;
+    QTest::newRow("steeper") << 2.0 << true;
+    QTest::newRow("as in earlier versions") << 0.0 << false;
+}
+
+/// What is felt of roughness is −∇U wherever a hand can go. Without a bound it is not on the slopes of the
+/// edges: there, 32 mJ were made in one contact.
+void TestComparisonEnergy::aBoundedPadIsAPotentialToItsEdges() {
+    QFETCH(double, slope);
+    QFETCH(bool, potential);
+    RoughPads d(slope);
+    core::Random random(17);
+    double worst_N = 0.0, most_N = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+        const Vec3 p = anywhere(random);
+        const Vec3 down = fall(d, p), force = at(d, p).tissue.tools[0].force;
+        worst_N = std::max(worst_N, (force - down).norm());
+        most_N = std::max(most_N, force.norm());
+    }
+    QVERIFY(most_N > 20.0);
+    QVERIFY2((worst_N < 1e-4) == potential, qPrintable(QString::number(worst_N)));
+}
+
+/// A smooth pad exerts at most √(1 + s²) times the force of its depth, and falls off without a corner.
+void TestComparisonEnergy::aPadIsNoSteeperThanStated() {
+    constexpr double kSlope = 0.75;
+    ComparisonParameters p = lossless(ComparedAttribute::viscosity);
+    p.padSlope = kSlope;
+    ComparisonDriver d(p);
+    d.startRunning();
+    double steepest = 0.0;
+    for (double out_m = 0.0; out_m < 0.030; out_m += 1e-5) { // beyond the last pad, where it is alone
+        const SceneOutput& felt = at(d, d.at(2, -0.002) + Vec3(out_m, 0.0, 0.0));
+        const double depth_m = felt.quantities[q::kDepth];
+        if (!(depth_m > 1e-6))
+            break;
+        const double slant = felt.tissue.tools[0].force.norm() / (p.object.stiffness_N_per_m * depth_m);
+        QVERIFY(slant >= steepest - 1e-9); // ever steeper, until the cone
+        steepest = slant;
+        const double outward = felt.tissue.tools[0].force.x() / felt.tissue.tools[0].force.z();
+        QVERIFY(std::abs(outward - std::clamp((out_m - p.padRadius_m) / p.padEdge_m, 0.0, kSlope)) < 1e-9);
+    }
+    QVERIFY(steepest > 1.05 && steepest <= std::hypot(1.0, kSlope) + 1e-9);
+}
+
+/// A cap on this load is one on the energy, and so makes none: it is the same multiple of √U everywhere, and
+/// no force is larger.
+void TestComparisonEnergy::theLoadFollowsFromTheEnergy() {
+    RoughPads d(0.75);
+    core::Random random(18);
+    double multiple = 0.0;
+    int touching = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const SceneOutput& felt = at(d, anywhere(random));
+        if (!(felt.storedEnergy_J > 0.0)) {
+            QCOMPARE(felt.load_N[0], 0.0);
+            continue;
+        }
+        ++touching;
+        const double here = felt.load_N[0] / std::sqrt(felt.storedEnergy_J);
+        QVERIFY(multiple == 0.0 || std::abs(here - multiple) < 1e-9 * multiple);
+        multiple = here;
+        QVERIFY(felt.tissue.tools[0].force.norm() <= felt.load_N[0]);
+    }
+    QVERIFY(touching > 500);
+    RoughPads before(0.0); // in sessions of earlier versions there is none
+    QCOMPARE(at(before, before.at(1, -0.003)).load_N[0], 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestComparisonEnergy)
