@@ -137,7 +137,10 @@ void TrainingScreen::connectPointer() {
     if (!m_hand)
         return; // nobody moves the tool with mouse and keyboard
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
-    connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
+    connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
+        if (!marksAreEarly())
+            m_hand->click();
+    });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
         if (running() && !m_control->held())
             goOn();
@@ -163,6 +166,7 @@ void TrainingScreen::onFrame() {
     m_control->look(state);
     if (m_control->held() && !wasHeld)
         hold();
+    m_early.look(state, m_clock.elapsed());
     if (m_hand)
         m_hand->feel(state);
     if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())

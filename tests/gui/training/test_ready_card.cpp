@@ -482,6 +482,7 @@ void TestReadyCard::afterAPauseEnterMarks() {
     main->click(); // with the mouse: the focus stays on it until the trial goes on
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!main->hasFocus());
+    QVERIFY(bench.mayMark());
     QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(),
                     Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between,
