@@ -284,7 +284,12 @@ void TrainingScreen::showControls() {
     m_controls->setMain(latched               ? ControlBar::Main::rearm
                         : m_control->paused() ? ControlBar::Main::resume
                                               : ControlBar::Main::pause);
-    m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming &&
+    // The card has a button to go on. Force is restored only by the one below it.
+    m_controls->setMainShown(!m_card || latched);
+    if (m_card)
+        m_card->setHeld(m_control->stopped(), pausedClock());
+    m_controls->setResumeHere(!m_card && felt && m_plan.ownHand() &&
+                              state.force == core::ForceState::arming &&
                               state.waitsFor == haptics::ArmingWait::smallRequest);
     m_keys->setHeld(m_control->held());
     showPointer();

@@ -99,6 +99,7 @@ private:
     // training_screen_ready.cpp: the card before the clock starts, and on F1
     bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
     ReadyFacts readyFacts() const;
+    QString pausedClock() const;
     QStringList markWords() const;
     void showCard(ReadyCard::Kind kind);
     void showCardAgain(); ///< while the session is paused

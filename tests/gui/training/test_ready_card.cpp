@@ -500,12 +500,18 @@ void TestReadyCard::helpBringsItBack() {
     QVERIFY(!bench.text("training.ready.gates").isEmpty());
     QVERIFY(button(bench, "training.stop")->isVisible() &&
             button(bench, "training.stop")->isEnabled()); // whatever is read
+    // It says what is true now, and there is one button that goes on.
+    QCOMPARE(bench.text("training.ready.clock"),
+             QStringLiteral("The trial is paused and its clock is stopped. Press Resume or Space to go on."));
+    QCOMPARE(button(bench, "training.ready.go")->text(), QStringLiteral("Resume (Enter)"));
+    QVERIFY(!button(bench, "training.main")->isVisible());
     const double left_s = bench.state().timeLeft_s;
     QTest::qWait(200);
     QCOMPARE(bench.state().timeLeft_s, left_s);
     button(bench, "training.ready.go")->click();
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!card(bench) && bench.screen()->scene()->widget()->isVisible());
+    QVERIFY(button(bench, "training.main")->isVisible());
     bench.key(Qt::Key_F1);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_Space); // as a pause is always left
@@ -521,6 +527,10 @@ void TestReadyCard::stoppedItLeadsBackToReArm() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_F1);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
+    QCOMPARE(bench.text("training.ready.clock"),
+             QStringLiteral("The clock is stopped. Press Re-arm or R to go on."));
+    QCOMPARE(button(bench, "training.ready.go")->text(), QStringLiteral("Back to the scene (Enter)"));
+    QVERIFY(button(bench, "training.main")->isVisible()); // which re-arms
     button(bench, "training.ready.go")->click();
     QVERIFY(!card(bench));
     QTest::qWait(100);
