@@ -66,6 +66,7 @@ private slots:
     void theWholeCardIsReadWithTheKeys();
     void theFirstCardIsReadWithSpace();
     void theMovementsAreThoseOfTheDeviceInHand();
+    void thatTheJawStaysIsOnTheCard();
     void howToChangeTheInstrumentIsOnTheCard();
     void theMovementsStandInOneRowWhereTheyFit();
     void practiceEndsWithoutAnyButtonInHand();
@@ -367,6 +368,22 @@ void TestReadyCard::theMovementsAreThoseOfTheDeviceInHand() {
 }
 
 /// On the card of every level on which one hand moves several instruments or fingers of both hands.
+/// By mouse and keys the jaw stays where it was let go; a grip that closes and opens says so itself.
+void TestReadyCard::thatTheJawStaysIsOnTheCard() {
+    using devices::HandKind;
+    const auto closes = [](HandKind hand) {
+        for (const desktop::ControlHint& hint : desktop::controlGuide(session::PointerTool::grasper, hand, 1))
+            if (hint.what == QStringLiteral("Close the jaw"))
+                return hint.how;
+        return QString();
+    };
+    QVERIFY2(closes(HandKind::mouseAndKeyboard)
+                 .contains(QStringLiteral("When you let go, the jaw stays as it is")),
+             qPrintable(closes(HandKind::mouseAndKeyboard)));
+    QVERIFY(!closes(HandKind::handle).isEmpty() &&
+            !closes(HandKind::handle).contains(QStringLiteral("stays")));
+}
+
 void TestReadyCard::howToChangeTheInstrumentIsOnTheCard() {
     TrainingBench bench;
     int several = 0;
