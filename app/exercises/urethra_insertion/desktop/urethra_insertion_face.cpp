@@ -127,7 +127,7 @@ QStringList UrethraInsertionFace::limitWords(const session::LevelLimits& limits,
                                              const QLocale& locale) const {
     QStringList words;
     if (const auto lateral_N = limits.of("lateral_max"))
-        words << GateTexts::tr("Force across the canal: %1 N at most; each time it is more is a trauma event")
+        words << GateTexts::tr("Force across the canal: %1 N at most; pressing harder is a trauma event")
                      .arg(factNumber(*lateral_N, locale));
     return words;
 }
