@@ -63,6 +63,8 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
                      QStringLiteral("%")));
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
+    if (row.gateMinimum && *row.gateMinimum >= 100.0 && row.unit == QLatin1String("%")) // nothing is more
+        return withUnit(formatNumber(*row.gateMinimum, row.unit, locale), row.unit);
     if (row.gateMinimum)
         return withUnit(QStringLiteral("≥ ") + formatNumber(*row.gateMinimum, row.unit, locale), row.unit);
     return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/worst_moment.h"
 
+#include "scoring/metric_catalogue.h"
 #include "scoring/prepared_trial.h"
 #include "session/exercise_kind.h"
 #include "session/moment_rule.h"
@@ -14,6 +15,9 @@
 namespace chiron::session {
 
 namespace {
+
+/// Where nothing else went wrong, a force is worth a look from this share of the level's limit on.
+constexpr double kNearLimit = 0.8;
 
 std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
     std::optional<WorstMoment> worst;
@@ -224,6 +228,45 @@ std::vector<const scoring::Gate*> missedGates(const scoring::ScoreCard& card,
     return missed;
 }
 
+bool meets(const scoring::Gate& gate, double value) {
+    return (!gate.minimum || value >= *gate.minimum) && (!gate.maximum || value <= *gate.maximum);
+}
+
+/// Whether a pass mark on the session's value can be applied to a single trial. A sum or a count grows with
+/// each trial.
+bool isPerTrial(const std::string& metric) {
+    const scoring::MetricDefinition* definition = scoring::findMetric(metric);
+    return definition && definition->aggregate != scoring::Aggregate::sum && definition->unit != "count";
+}
+
+/// Of the trials whose own value would have missed a gate, the worst for the first such gate, although the
+/// session as a whole met it.
+std::optional<WorstMoment> missedInOneTrial(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                            std::span<const scoring::Gate> gates) {
+    for (const scoring::Gate& gate : gates) {
+        const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric);
+        if (!metric || !isPerTrial(gate.metric))
+            continue;
+        auto worst = worstTrial(track, card, gate);
+        if (!worst || meets(gate, worst->value))
+            continue;
+        if (auto there = located(track, *metric); there && there->trial == worst->trial)
+            worst = std::move(there);
+        worst->reason = gate.metric;
+        return worst;
+    }
+    return std::nullopt;
+}
+
+/// Without a failed gate: what is nevertheless worth a look.
+std::optional<WorstMoment> notable(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                   std::span<const scoring::Gate> gates) {
+    auto force = largestForce(track);
+    if (force && force->value >= kNearLimit * track.forceLimit_N)
+        return force;
+    return missedInOneTrial(track, card, gates);
+}
+
 WorstMoment ledBy(WorstMoment worst, const scoring::Gate& gate) {
     worst.reason = gate.metric;
     worst.gateFailed = true;
@@ -242,7 +285,7 @@ std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::Sc
     for (const scoring::Gate* gate : missed)
         if (auto worst = spread(track, card, *gate, *metricIn(card.metrics, gate->metric)))
             return ledBy(std::move(*worst), *gate);
-    return largestForce(track);
+    return notable(track, card, gates);
 }
 
 /// Adds what follows from the moment's time: the time within its trial, and the depth.

@@ -18,7 +18,7 @@ struct WorstMoment {
     int trial = 0;
     double value = 0.0;      ///< in `unit`
     std::string unit;        ///< of the metric, "N" for a force
-    std::string reason;      ///< id of the failed metric, or "force_max" if none failed
+    std::string reason;      ///< id of the metric that leads here; "force_max" for a force
     bool gateFailed = false; ///< derived from a failed gate
     /// The value is that of the trial as a whole: the metric has no moment in it, and `t_s` is the trial's
     /// end.
@@ -31,8 +31,10 @@ struct WorstMoment {
 /// first gate that has a moment of its own: for a force metric the largest tissue force; for others as
 /// specified by the exercise (ExerciseKind::momentRules, PlaybackTrack::peaks). Only if no gate has one: as
 /// specified for metrics that are spread over a trial, or the end of the trial with the worst value. Without
-/// a failed gate: the largest tissue force of all trials. Pauses and the time between trials do not count.
-/// Empty for a track without a trial, and if nothing was touched and no gate has a moment. Pure function.
+/// a failed gate only what is nevertheless worth a look: the largest tissue force of all trials, if it
+/// reached 80 % of the level's limit (PlaybackTrack::forceLimit_N); otherwise the trial whose own value would
+/// have missed a gate. Pauses and the time between trials do not count. Empty if nothing stands out, and for
+/// a track without a trial. Pure function.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                        std::span<const scoring::Gate> gates);
 

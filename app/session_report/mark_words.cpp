@@ -49,7 +49,7 @@ QString sayContact(const PlaybackMark& mark, const QLocale& locale) {
 }
 
 QString sayOverLimit(const PlaybackMark& mark, const QLocale& locale) {
-    return MarkTexts::tr("Over the limit for %1, up to %2")
+    return MarkTexts::tr("Over the force limit for %1, up to %2")
         .arg(markSpan(mark, locale), markValue(mark, QStringLiteral("N"), locale));
 }
 

@@ -54,6 +54,11 @@ QString momentTitle(const QString& id) {
     return metric && !metric->titleAtMoment.empty() ? translated(metric->titleAtMoment) : metricTitle(id);
 }
 
+QString metricWholly(const QString& id) {
+    const scoring::MetricDefinition* metric = newest(id);
+    return metric && !metric->wholly.empty() ? translated(metric->wholly) : QString();
+}
+
 QString metricReason(const QString& stored) {
     const auto undefined = scoring::undefinedOf(stored.toStdString());
     if (!undefined)

@@ -16,6 +16,8 @@ namespace chiron::session_report {
 QString metricTitle(const QString& id, int trials = 0);
 /// A sentence that explains what the metric measures; empty if the metric is not known. `trials`: as above.
 QString metricMeaning(const QString& id, int trials = 0);
+/// What a pass mark of 100 % on the metric asks for, as a sentence without a full stop; empty if it has none.
+QString metricWholly(const QString& id);
 /// The name of the value at the moment to which a metric led (session::WorstMoment). At a single moment there
 /// is a force or an error, but no mean and no root mean square.
 QString momentTitle(const QString& id);

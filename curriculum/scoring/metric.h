@@ -72,6 +72,9 @@ struct MetricDefinition {
     /// Title for the single moment to which the metric leads, where there is neither mean nor spread; empty:
     /// the title. Marked likewise.
     std::string_view titleAtMoment{};
+    /// What a pass mark of 100 % asks for, as a sentence without a full stop; empty: title and value. Marked
+    /// likewise.
+    std::string_view wholly{};
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
     ChanceLevel chance{};

@@ -33,8 +33,10 @@ bool isImplied(const scoring::Gate& gate, const catalogue::ExerciseLevel& level)
 
 QString inLevel(const scoring::Gate& gate, const catalogue::ExerciseLevel& level, const QLocale& locale) {
     const std::optional<double> limit_N = session::limitBehind(level, gate);
-    if (!limit_N)
-        return gateInWords(gate, locale);
+    if (!limit_N) {
+        const auto kind = session::exerciseKind(level.exercise);
+        return gateInWords(gate, locale, kind ? (*kind)->trialCount(level) : 1);
+    }
     const int more_percent = qRound(100.0 * (*gate.maximum / *limit_N - 1.0));
     return GateTexts::tr("%1: at most %2 N, with %3 % more for the time it takes to react")
         .arg(session_report::metricTitle(QString::fromStdString(gate.metric)),
@@ -59,17 +61,26 @@ QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& 
     return words;
 }
 
-QString gateInWords(const scoring::Gate& gate, const QLocale& locale) {
+QString gateInWords(const scoring::Gate& gate, const QLocale& locale, int trials) {
     const scoring::MetricDefinition* metric = scoring::findMetric(gate.metric);
     const std::string_view unit = metric ? metric->unit : std::string_view();
     const QString title = session_report::metricTitle(QString::fromStdString(gate.metric));
     if (gate.minimum && gate.maximum)
         return GateTexts::tr("%1: from %2 to %3")
             .arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));
+    if (gate.minimum && *gate.minimum >= 100.0 &&
+        unit == "%") { // more is impossible, so this is no "at least"
+        const QString wholly = session_report::metricWholly(QString::fromStdString(gate.metric));
+        if (wholly.isEmpty())
+            return GateTexts::tr("%1: %2").arg(title, withUnit(*gate.minimum, unit, locale));
+        return trials > 1 ? GateTexts::tr("%1, in every trial").arg(wholly) : wholly;
+    }
     if (gate.minimum)
         return GateTexts::tr("%1: at least %2").arg(title, withUnit(*gate.minimum, unit, locale));
     if (gate.maximum == 0.0 && unit == "count")
         return GateTexts::tr("%1: none").arg(title);
+    if (gate.maximum == 0.0)
+        return GateTexts::tr("%1: %2").arg(title, withUnit(0.0, unit, locale));
     return GateTexts::tr("%1: at most %2").arg(title, withUnit(gate.maximum.value_or(0.0), unit, locale));
 }
 

@@ -14,8 +14,9 @@ struct GateTexts {
     Q_DECLARE_TR_FUNCTIONS(GateWords)
 };
 
-/// A pass mark as text with its unit, for example "Misses: at most 1" or "Critical errors: none".
-QString gateInWords(const scoring::Gate& gate, const QLocale& locale);
+/// A pass mark as text with its unit, for example "Misses: at most 1", "Critical errors: none" or, of 100 %,
+/// "The procedure is completed". `trials`: the number of trials of the level.
+QString gateInWords(const scoring::Gate& gate, const QLocale& locale, int trials = 1);
 
 /// The pass marks of a level, in the level's order. A pass mark that allows more than the limit behind it
 /// names that limit and explains the difference. A pass mark that a stricter one implies is left out.

@@ -21,6 +21,6 @@ struct LevelFactTexts {
 
 // Lines that several exercises share.
 QString factNumber(double value, const QLocale& locale);               ///< "0.6"; three significant digits
-QString trialsFact(int trials, double limit_s, const QLocale& locale); ///< "Trials: 10, at most 60 s each"
+QString trialsFact(int trials, double limit_s, const QLocale& locale); ///< "Trials: 10; each ends after 60 s"
 
 } // namespace chiron::desktop

@@ -342,7 +342,7 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
 }
 
 void TrialsScreen::mark() {
-    if (running() && m_apex && m_live->view().canAnswer)
+    if (running() && m_apex && m_live->view().canAnswer && !m_early.areEarly(m_clock.elapsed()))
         (void)m_live->answer(0); // if no answer is accepted any more, the trial has just ended
 }
 

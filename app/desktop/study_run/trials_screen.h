@@ -3,6 +3,7 @@
 
 #include "desktop/frame/screen.h"
 #include "desktop/study_run/study_controls.h"
+#include "desktop/training/early_marks.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/sound_cue_player.h"
@@ -224,6 +225,8 @@ private:
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     /// Time since what Enter and Space do on the page has changed, by itself or by a key press.
     QElapsedTimer m_changed;
+    EarlyMarks m_early;
+    QElapsedTimer m_clock;      ///< runs since the screen was made
     bool m_hasLetGo = false;    ///< of an object, in the free minute
     bool m_pausedByKey = false; ///< the participant has just paused: the page that comes is no surprise
     QTimer m_frame;

@@ -44,6 +44,7 @@ TrialsScreen::TrialsScreen(AppContext& context, const Place& place)
       m_condition(place.parameters.value(QStringLiteral("condition")).toString().toStdString()),
       m_study(place.parameters.value(QStringLiteral("study")).toLongLong()) {
     setProperty("kind", QStringLiteral("page"));
+    m_clock.start();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_faces = new QStackedWidget;
@@ -370,7 +371,7 @@ void TrialsScreen::connectPointer() {
         m_pointer = std::make_unique<ScenePointer>(*m_hand, source(), area());
         connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
             // Clicking an object is not an answer, and an early click is not a mark.
-            if (m_apex && m_live->view().canAnswer)
+            if (m_apex && m_live->view().canAnswer && !m_early.areEarly(m_clock.elapsed()))
                 m_hand->click();
         });
         connect(m_pointer.get(), &ScenePointer::captureAsked, this, &TrialsScreen::capturePointer);

@@ -63,6 +63,7 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
     if (scene) {
         if (m_stage->currentWidget() != m_trial) {
             m_stage->setCurrentWidget(m_trial);
+            m_early.wentOn(m_clock.elapsed());
             // Enter answers, and cannot press a button that had the focus.
             area().setFocus(Qt::OtherFocusReason);
             capturePointer();
@@ -455,6 +456,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
     m_live->training().display().read(state);
     showStrip(view);
     if (m_apex) {
+        m_early.look(state, m_clock.elapsed());
         m_apex->show(state, view.canAnswer, sentences({apexWords(view), pointerWords(view)}));
         return;
     }

@@ -26,6 +26,10 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     m_stop->setFont(theme.font(stacked ? TextStyle::strong : TextStyle::title));
     row->addWidget(m_stop, 3);
     m_main = add({}, "primary", {}, QStringLiteral("training.main"));
+    // Hidden it keeps its room, so that the stop button stays where it is.
+    QSizePolicy room = m_main->sizePolicy();
+    room.setRetainSizeWhenHidden(true);
+    m_main->setSizePolicy(room);
     row->addWidget(m_main, 2);
     m_resumeHere =
         add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
@@ -77,6 +81,10 @@ void ControlBar::setMain(Main main) {
     m_main->setText(text);
     m_main->setIcon(m_theme.icon(icon, Colour::accentText));
     m_main->setIconSize(QSize(m_theme.px(20), m_theme.px(20)));
+}
+
+void ControlBar::setMainShown(bool shown) {
+    m_main->setVisible(shown);
 }
 
 void ControlBar::setResumeHere(bool possible) {

@@ -21,7 +21,10 @@ public:
 
     void setMain(Main main);
     void setResumeHere(bool possible); ///< shown only while it has an effect
-    void setRunning(bool running);     ///< false before the session starts and after it has ended
+    /// False while a card over the scene has the button that goes on: one of them is enough. Its room is
+    /// kept.
+    void setMainShown(bool shown);
+    void setRunning(bool running); ///< false before the session starts and after it has ended
     void setPractice(); ///< a practice can be ended in favour of the real session, but not started again
     QPushButton* mainButton() const { return m_main; }
 

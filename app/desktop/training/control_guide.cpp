@@ -56,7 +56,9 @@ std::vector<ControlHint> withMouseAndKeyboard(PointerTool tool) {
         return {move,
                 {Pictogram::wheelTowards, Words::tr("Lower"), towards},
                 {Pictogram::leftHeld, Words::tr("Close the jaw"),
-                 Words::tr("Hold the left button, or G. To open it, hold Shift and the left button, or H.")}};
+                 Words::tr(
+                     "Hold the left button, or G. When you let go, the jaw stays as it is. To open it, hold "
+                     "Shift and the left button, or H.")}};
     return {move,
             {Pictogram::wheelTowards, Words::tr("Lower"), towards},
             {Pictogram::leftClick, Words::tr("Mark"),

@@ -7,6 +7,7 @@
 #include "desktop/widgets/scroll_page.h"
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -64,9 +65,10 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
         auto* label = kit::label(m_theme, text, TextStyle::body, kind);
         label->setObjectName(QLatin1String(name));
         column.addWidget(label);
+        return label;
     };
     line(facts.limit, "training.ready.limit");
-    line(facts.clock, "training.ready.clock");
+    m_clock = line(facts.clock, "training.ready.clock");
     if (m_kind != Kind::brief) {
         if (!facts.gates.isEmpty())
             line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))),
@@ -217,6 +219,16 @@ bool ReadyCard::scrollBy(QAbstractSlider::SliderAction step) {
 bool ReadyCard::isRead() const {
     const QScrollBar& bar = *m_page->verticalScrollBar();
     return !wasAskedFor() || m_endSeen || bar.value() >= bar.maximum();
+}
+
+void ReadyCard::setHeld(bool stopped, const QString& clock) {
+    if (m_kind != Kind::paused)
+        return;
+    if (m_clock->text() != clock)
+        m_clock->setText(clock);
+    const QString go = stopped ? tr("Back to the scene (Enter)") : tr("Resume (Enter)");
+    if (m_go->text() != go)
+        m_go->setText(go);
 }
 
 void ReadyCard::takeFocus() {

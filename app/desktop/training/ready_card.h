@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QKeyEvent;
+class QLabel;
 class QPushButton;
 
 namespace chiron::desktop {
@@ -29,7 +30,7 @@ struct ReadyFacts {
     bool offersDemonstration = false;  ///< offers a demonstration, for people new to the level
     bool offersLeave = false;          ///< offers to leave the exercise
     QString practised;                 ///< after the practice minute: what comes now; otherwise empty
-    QString clock;                     ///< number of trials, and when the clock starts
+    QString clock;                     ///< number of trials, and when the clock starts, or that it is stopped
 };
 
 /// The card before the first trial of a level: task, movements, force limit, scoring and the meaning of the
@@ -61,6 +62,9 @@ public:
     bool scroll(int key); ///< false: no scrolling key of this card, or nothing more in its direction
     bool readOn(bool back = false); ///< by a page; false: nothing more in this direction
     bool isRead() const;            ///< whether a first movement may start the session
+    /// On a card of Kind::paused: what is true of the clock now, and whether force is stopped, so that the
+    /// card's button only leads back to the scene. Call it whenever this may have changed.
+    void setHeld(bool stopped, const QString& clock);
     void takeFocus(); ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
@@ -92,6 +96,7 @@ private:
     std::vector<int> m_toolKeys;
     ScrollPage* m_page = nullptr;
     QPushButton* m_go = nullptr;
+    QLabel* m_clock = nullptr;
 };
 
 } // namespace chiron::desktop

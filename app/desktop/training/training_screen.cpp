@@ -137,7 +137,10 @@ void TrainingScreen::connectPointer() {
     if (!m_hand)
         return; // nobody moves the tool with mouse and keyboard
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
-    connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
+    connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
+        if (!marksAreEarly())
+            m_hand->click();
+    });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
         if (running() && !m_control->held())
             goOn();
@@ -163,6 +166,7 @@ void TrainingScreen::onFrame() {
     m_control->look(state);
     if (m_control->held() && !wasHeld)
         hold();
+    m_early.look(state, m_clock.elapsed());
     if (m_hand)
         m_hand->feel(state);
     if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())
@@ -280,7 +284,12 @@ void TrainingScreen::showControls() {
     m_controls->setMain(latched               ? ControlBar::Main::rearm
                         : m_control->paused() ? ControlBar::Main::resume
                                               : ControlBar::Main::pause);
-    m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming &&
+    // The card has a button to go on. Force is restored only by the one below it.
+    m_controls->setMainShown(!m_card || latched);
+    if (m_card)
+        m_card->setHeld(m_control->stopped(), pausedClock());
+    m_controls->setResumeHere(!m_card && felt && m_plan.ownHand() &&
+                              state.force == core::ForceState::arming &&
                               state.waitsFor == haptics::ArmingWait::smallRequest);
     m_keys->setHeld(m_control->held());
     showPointer();

@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_view.h"
 #include "desktop/training/answer_note.h"
 #include "desktop/training/control_bar.h"
+#include "desktop/training/early_marks.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/live_feed.h"
@@ -19,6 +20,7 @@
 #include "session/level_cues.h"
 #include "session/level_limits.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include <optional>
@@ -60,6 +62,8 @@ public:
     LiveFeed* feed() const { return m_feed.get(); } ///< null before the session starts
     scene3d::ISceneView* scene() const { return m_scene.get(); }
     const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state drawn
+    /// Whether a mark now would be taken for a second press of what came before (EarlyMarks), and not sent.
+    bool marksAreEarly() const { return m_early.areEarly(m_clock.elapsed()); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -95,6 +99,7 @@ private:
     // training_screen_ready.cpp: the card before the clock starts, and on F1
     bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
     ReadyFacts readyFacts() const;
+    QString pausedClock() const;
     QStringList markWords() const;
     void showCard(ReadyCard::Kind kind);
     void showCardAgain(); ///< while the session is paused
@@ -180,7 +185,9 @@ private:
     /// Runs after the end of the session, while the true answer of its last trial is still shown.
     QTimer m_lastLook;
     bool m_asking = false;
-    bool m_again = false; ///< a new attempt starts when this one is stored
+    EarlyMarks m_early;
+    QElapsedTimer m_clock; ///< runs since the screen was made
+    bool m_again = false;  ///< a new attempt starts when this one is stored
     std::int64_t m_start_ns = 0;
     scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;

@@ -38,7 +38,8 @@ void TrainingScreen::rearm() {
 }
 
 void TrainingScreen::mark() {
-    if (running() && m_plan.ownHand() && m_tool == session::PointerTool::point && !m_control->held())
+    if (running() && m_plan.ownHand() && m_tool == session::PointerTool::point && !m_control->held() &&
+        !marksAreEarly())
         m_hand && m_hand->marks() ? m_hand->click() : m_control->mark();
 }
 
@@ -114,6 +115,7 @@ void TrainingScreen::hold() {
 // to continue.
 void TrainingScreen::goOn() {
     takeCardAway();
+    m_early.wentOn(m_clock.elapsed());
     if (!m_control->held())
         setFocus(Qt::OtherFocusReason);
     if (m_pointer && !m_control->held())

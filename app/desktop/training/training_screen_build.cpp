@@ -41,6 +41,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
       m_level(context.site().catalogue().find(m_plan.exercise.toStdString(), m_plan.level)), m_sound(4.0) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(title());
+    m_clock.start();
     if (m_level && m_plan.trials > 0)
         if (auto tried = catalogue::withTrials(*m_level, m_plan.trials)) {
             m_tried = std::move(*tried);

@@ -54,6 +54,10 @@ ReadyFacts TrainingScreen::readyFacts() const {
                                     deviceTitle(m_plan));
     facts.gates = gatesInWords(*m_level, context().locale());
     facts.marks = markWords();
+    if (m_feed) { // on request: what began cannot be announced again
+        facts.clock = pausedClock();
+        return facts;
+    }
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
     facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
@@ -73,6 +77,15 @@ ReadyFacts TrainingScreen::readyFacts() const {
                                                  : tr("The practice is over and does not count. The trials "
                                                       "that count begin when you press Continue.");
     return facts;
+}
+
+/// What the card on request says about the clock: the session has been paused for it.
+QString TrainingScreen::pausedClock() const {
+    if (m_control->stopped())
+        return tr("The clock is stopped. Press Re-arm or R to go on.");
+    if (m_plan.practises())
+        return tr("The practice is paused. Press Resume or Space to go on.");
+    return tr("The trial is paused and its clock is stopped. Press Resume or Space to go on.");
 }
 
 void TrainingScreen::showCard(ReadyCard::Kind kind) {
@@ -112,6 +125,7 @@ void TrainingScreen::showCardAgain() {
     m_pages->setCurrentWidget(m_card);
     for (QWidget* part : {static_cast<QWidget*>(m_side), m_foot})
         part->hide(); // the controls stay, so that force can be stopped at any time
+    showControls();
     m_card->takeFocus();
 }
 

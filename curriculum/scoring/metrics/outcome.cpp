@@ -88,6 +88,7 @@ std::vector<MetricDefinition> outcomeMetrics() {
          .meaning = QT_TRANSLATE_NOOP(
              "Metrics",
              "How many of the trials were completed in time, with everything that the level asks for, in %."),
+         .wholly = QT_TRANSLATE_NOOP("Metrics", "The procedure is completed"),
          .definition = "Procedures done to their end, in % of those begun: one that time ended, or that "
                        "could not be done any more, is not "
                        "done.",

@@ -77,7 +77,16 @@ void TestGateWords::markInWords() {
     };
     QVERIFY2(words(80.0, {}).contains("at least 80"), qPrintable(words(80.0, {})));
     QVERIFY2(words({}, 80.0).contains("at most 80"), qPrintable(words({}, 80.0)));
-    QVERIFY2(words({}, 0.0).contains("at most 0"), qPrintable(words({}, 0.0)));
+    // Nothing is below 0 or above 100 %, so that these limits are said as they are.
+    QVERIFY2(words({}, 0.0).endsWith(QStringLiteral(": 0 %")), qPrintable(words({}, 0.0)));
+    QVERIFY2(words(100.0, {}).endsWith(QStringLiteral(": 100 %")), qPrintable(words(100.0, {})));
+    const scoring::Gate done{"procedure_completed", 100.0, {}};
+    QCOMPARE(desktop::gateInWords(done, locale), QStringLiteral("The procedure is completed"));
+    QCOMPARE(desktop::gateInWords(done, locale, 5),
+             QStringLiteral("The procedure is completed, in every trial"));
+    const scoring::Gate most{"procedure_completed", 80.0, {}};
+    QVERIFY2(desktop::gateInWords(most, locale).endsWith(": at least 80 %"),
+             qPrintable(desktop::gateInWords(most, locale)));
     scoring::Gate misses;
     misses.metric = "apex_misses";
     misses.maximum = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 #include "app/exercises/urethra_insertion/report/insertion_report.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -41,6 +42,7 @@ private slots:
     void theSceneIsToldTheProcedure();
     void plotsOfACanal();
     void tissueIsSaidToGiveWayToWhatItGaveWayTo();
+    void eachLimitOfAPushHasItsName();
     void theGhostHasItsOwnLines();
     void withoutASeriesNothingIsAdded();
     void aStoredProcedureIsPlayedBack();
@@ -91,6 +93,21 @@ void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
     QVERIFY2(said().contains(QStringLiteral("torque")) && said().contains(QStringLiteral("213")) &&
                  said().contains(QStringLiteral("mN·m")),
              qPrintable(said()));
+}
+
+/// One hard push can be over both limits, and has a line for each: they must not look like the same event
+/// twice.
+void TestInsertionReview::eachLimitOfAPushHasItsName() {
+    session::PlaybackMark mark;
+    mark.end_s = 0.3;
+    mark.value = 4.2;
+    const auto said = [&](const session::PlaybackMarkKind& kind) {
+        mark.kind = kind;
+        return session_report::markText(mark, "urethra_insertion", QLocale::c());
+    };
+    const QString trauma = said(session::mark_kinds::kTrauma), force = said(session::mark_kinds::kOverLimit);
+    QVERIFY2(trauma.startsWith(QStringLiteral("Trauma event: pressed sideways")), qPrintable(trauma));
+    QVERIFY2(force.startsWith(QStringLiteral("Over the force limit")), qPrintable(force));
 }
 
 void TestInsertionReview::theGhostHasItsOwnLines() {

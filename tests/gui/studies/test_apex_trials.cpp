@@ -206,6 +206,7 @@ bool TestApexTrials::mark(desktop::TrialsScreen* screen) {
                  to.z(), static_cast<int>(live.view().state));
         return false;
     }
+    QTest::qWait(static_cast<int>(desktop::EarlyMarks::kWait_ms) + 100); // not a second press on "Go on"
     send(QEvent::MouseButtonPress, at, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
     // after the last one the screen is gone soon

@@ -2,6 +2,7 @@
 // What the scene says once a trial has its answer or its end, and over a scene that stands still.
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "catalogue/catalogue.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_note_painter.h"
 #include "desktop/training/answer_note.h"
 #include "modules/exercises/palpation/cues/palpation_cues.h"
@@ -224,6 +225,44 @@ private slots:
                     ++levels;
                 }
         QVERIFY(levels >= 6);
+    }
+
+    /// As it is scored: the object that was held last, across, from the middle of the ring of this trial.
+    void howFarTheObjectLiesFromTheRingIsTold() {
+        int told = 0;
+        for (const catalogue::ExerciseLevel& level : m_catalogue->find("object_handling")->levels) {
+            const auto target =
+                (*session::exerciseKind("object_handling"))->makeSurfaces(level, kSeed)->object(1);
+            QVERIFY(target);
+            AnswerNote note = noteOf(level);
+            const auto frame = [&](core::TrialPhase phase, int heldBy, double beside_m) {
+                haptics::DisplayState state = stateAt(1.0, 1, phase);
+                auto& cues = state.exercise.own<core::LaparoscopyCues>();
+                cues.present = true;
+                cues.bodies = 2;
+                cues.body[0].p_W = {target->p_WObject.x(), target->p_WObject.y(),
+                                    0.01}; // another one, nearer
+                cues.body[1].heldBy = static_cast<std::uint8_t>(heldBy);
+                cues.body[1].p_W = {target->p_WObject.x() + 0.6 * beside_m,
+                                    target->p_WObject.y() - 0.8 * beside_m, 0.02};
+                note.take(state, {});
+            };
+            const auto ended = [&](std::uint32_t how) {
+                note.take(stateAt(1.1, 1, core::TrialPhase::between), std::array{sampleOf(how)});
+                return note.note(1'100'000'000).title;
+            };
+            frame(core::TrialPhase::running, 0, 0.050);
+            QCOMPARE(ended(bits::kTimedOut), QStringLiteral("Time is up")); // nothing was held
+            frame(core::TrialPhase::running, 1, 0.030);
+            frame(core::TrialPhase::running, 0, 0.0034);
+            QCOMPARE(ended(bits::kCompleted),
+                     level.feedback ? QStringLiteral("Trial completed. 3.4 mm from the middle of the ring")
+                                    : QStringLiteral("Trial completed"));
+            frame(core::TrialPhase::ready, 0, 0.0034); // the next trial forgets it
+            QCOMPARE(ended(bits::kTimedOut), QStringLiteral("Time is up"));
+            told += level.feedback ? 1 : 0;
+        }
+        QVERIFY(told > 0);
     }
 
     /// Every lump where it is, told whether it was found, and each mark whether it was right.

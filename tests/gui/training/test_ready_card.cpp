@@ -66,6 +66,7 @@ private slots:
     void theWholeCardIsReadWithTheKeys();
     void theFirstCardIsReadWithSpace();
     void theMovementsAreThoseOfTheDeviceInHand();
+    void thatTheJawStaysIsOnTheCard();
     void howToChangeTheInstrumentIsOnTheCard();
     void theMovementsStandInOneRowWhereTheyFit();
     void practiceEndsWithoutAnyButtonInHand();
@@ -367,6 +368,22 @@ void TestReadyCard::theMovementsAreThoseOfTheDeviceInHand() {
 }
 
 /// On the card of every level on which one hand moves several instruments or fingers of both hands.
+/// By mouse and keys the jaw stays where it was let go; a grip that closes and opens says so itself.
+void TestReadyCard::thatTheJawStaysIsOnTheCard() {
+    using devices::HandKind;
+    const auto closes = [](HandKind hand) {
+        for (const desktop::ControlHint& hint : desktop::controlGuide(session::PointerTool::grasper, hand, 1))
+            if (hint.what == QStringLiteral("Close the jaw"))
+                return hint.how;
+        return QString();
+    };
+    QVERIFY2(closes(HandKind::mouseAndKeyboard)
+                 .contains(QStringLiteral("When you let go, the jaw stays as it is")),
+             qPrintable(closes(HandKind::mouseAndKeyboard)));
+    QVERIFY(!closes(HandKind::handle).isEmpty() &&
+            !closes(HandKind::handle).contains(QStringLiteral("stays")));
+}
+
 void TestReadyCard::howToChangeTheInstrumentIsOnTheCard() {
     TrainingBench bench;
     int several = 0;
@@ -482,6 +499,7 @@ void TestReadyCard::afterAPauseEnterMarks() {
     main->click(); // with the mouse: the focus stays on it until the trial goes on
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!main->hasFocus());
+    QVERIFY(bench.mayMark());
     QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(),
                     Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between,
@@ -499,12 +517,18 @@ void TestReadyCard::helpBringsItBack() {
     QVERIFY(!bench.text("training.ready.gates").isEmpty());
     QVERIFY(button(bench, "training.stop")->isVisible() &&
             button(bench, "training.stop")->isEnabled()); // whatever is read
+    // It says what is true now, and there is one button that goes on.
+    QCOMPARE(bench.text("training.ready.clock"),
+             QStringLiteral("The trial is paused and its clock is stopped. Press Resume or Space to go on."));
+    QCOMPARE(button(bench, "training.ready.go")->text(), QStringLiteral("Resume (Enter)"));
+    QVERIFY(!button(bench, "training.main")->isVisible());
     const double left_s = bench.state().timeLeft_s;
     QTest::qWait(200);
     QCOMPARE(bench.state().timeLeft_s, left_s);
     button(bench, "training.ready.go")->click();
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!card(bench) && bench.screen()->scene()->widget()->isVisible());
+    QVERIFY(button(bench, "training.main")->isVisible());
     bench.key(Qt::Key_F1);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_Space); // as a pause is always left
@@ -520,6 +544,10 @@ void TestReadyCard::stoppedItLeadsBackToReArm() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_F1);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
+    QCOMPARE(bench.text("training.ready.clock"),
+             QStringLiteral("The clock is stopped. Press Re-arm or R to go on."));
+    QCOMPARE(button(bench, "training.ready.go")->text(), QStringLiteral("Back to the scene (Enter)"));
+    QVERIFY(button(bench, "training.main")->isVisible()); // which re-arms
     button(bench, "training.ready.go")->click();
     QVERIFY(!card(bench));
     QTest::qWait(100);

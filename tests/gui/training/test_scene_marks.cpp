@@ -46,6 +46,28 @@ private slots:
         }
     }
 
+    /// In the flat picture there are two rings: each has its name.
+    void theRingsOfAnObjectAndItsTargetAreTold() {
+        tests::DesktopFixture site;
+        int told = 0;
+        for (const catalogue::LegendLine& line : site.site.catalogue().find("object_handling")->legend) {
+            if (line.mark != "target_ring")
+                continue;
+            ++told;
+            for (const char* language : {"en", "de", "el"}) {
+                const QString text = QString::fromStdString(catalogue::textIn(line.text, language));
+                for (const char* word : {language[0] == 'd'   ? "gestrichelt"
+                                         : language[1] == 'l' ? "διακεκομμένος"
+                                                              : "dashed",
+                                         language[0] == 'd' ? "Rand des Objekts"
+                                         : language[1] == 'l' ? "περίγραμμα του αντικειμένου"
+                                                              : "edge of the object"})
+                    QVERIFY2(text.contains(QString::fromUtf8(word)), qPrintable(text));
+            }
+        }
+        QCOMPARE(told, 1);
+    }
+
     /// By the cues of each level, and by what is known of its task.
     void aLevelHasItsOwnMarks() {
         tests::DesktopFixture site;

@@ -68,6 +68,7 @@ private slots:
     void aWholeSetWithTheMouse();
     void measurementsAreThePersons();
     void onlyKeys();
+    void aSecondPressMarksNothing();
     void keysWhileTheSceneHasTheFocus();
     void aDialogPauses();
     void pauseAndResume();
@@ -107,6 +108,7 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
             bench.wheel(-240);
             QTest::qWait(20);
         }
+        QVERIFY(bench.mayMark());
         bench.click();
     }
     QElapsedTimer sinceMark;
@@ -168,8 +170,44 @@ void TestTrainingScreen::onlyKeys() {
     QTest::keyPress(bench.screen(), Qt::Key_Right);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.002, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
+    QVERIFY(bench.mayMark());
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
+}
+
+/// The second click of a double click on "Go", or a second press of Enter, comes when the trial has just
+/// begun: nobody has moved anything, and the mark would be in the air. The same after a pause.
+void TestTrainingScreen::aSecondPressMarksNothing() {
+    TrainingBench bench;
+    bench.train();
+    int pressed = 0;
+    const auto pressEarly = [&] {
+        if (!bench.screen()->marksAreEarly())
+            return; // this program stood still for so long that the mark would count
+        bench.click();
+        bench.key(Qt::Key_Return);
+        ++pressed;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->feed(), kPatience_ms);
+    pressEarly();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    pressEarly();
+    QVERIFY(bench.mayMark());
+    QTest::qWait(100); // a mark would have arrived
+    QVERIFY(bench.runs() && bench.state().trial == 0 && !bench.screen()->drawn().answered);
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
+    bench.desktop.find<QPushButton>(QStringLiteral("training.main"))->click();
+    pressEarly();
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
+    pressEarly();
+    QVERIFY(bench.mayMark());
+    QTest::qWait(100);
+    QVERIFY(bench.runs() && bench.state().trial == 0 && !bench.screen()->drawn().answered);
+    bench.click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().answered, kPatience_ms);
+    if (pressed == 0)
+        QSKIP("this program stood still, so that no press was early");
 }
 
 /// In 3D the scene is a native window of its own, in 2D a widget: keys work either way.
@@ -188,6 +226,7 @@ void TestTrainingScreen::keysWhileTheSceneHasTheFocus() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
+    QVERIFY(bench.mayMark());
     press(Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(int(bench.state().trial), 1, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
@@ -218,6 +257,7 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(!bench.screen()->drawn().answered);
+    QVERIFY(bench.mayMark());
     QElapsedTimer sinceMark;
     sinceMark.start();
     bench.key(Qt::Key_Return);
@@ -244,6 +284,7 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
                          1.5); // its clock stood still for the two seconds
     QTRY_VERIFY_WITH_TIMEOUT(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked,
                              kPatience_ms);
+    QVERIFY(bench.mayMark());
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(held() || bench.state().trial == 2, kPatience_ms);
     if (!held() && 1'000'000 * gap.milliseconds() > desktop::AnswerNote::kHeld_ns / 2)
@@ -272,6 +313,7 @@ void TestTrainingScreen::theLastTrialIsLookedAtBeforeTheDebrief() {
             looked || (bench.state().ended && stage->state() == desktop::StatePanel::State::content &&
                        drawn.answered && drawn.marked && drawn.note.kind == scene3d::SceneNote::Kind::said);
     });
+    QVERIFY(bench.mayMark());
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(looked, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
@@ -309,6 +351,7 @@ void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
     QVERIFY(!bench.desktop.site.catalogue().find("sphere_apex", 5)->feedback);
     bench.train({{QStringLiteral("level"), 5}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    QVERIFY(bench.mayMark());
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title == QStringLiteral("Marked"), kPatience_ms);
     QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked &&

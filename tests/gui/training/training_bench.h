@@ -4,6 +4,7 @@
 #include "desktop/training/training_screen.h"
 #include "support/content_copy.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QJsonArray>
@@ -56,6 +57,10 @@ struct TrainingBench {
     bool runs() { return state().phase == core::TrialPhase::running; }
     bool at(const QString& place) { return desktop.context.navigator().current().screen == place; }
     void key(Qt::Key key) { QTest::keyClick(screen(), key); }
+    /// Until a mark counts: one right after the trial has begun is a second press of what came before.
+    bool mayMark() {
+        return QTest::qWaitFor([this] { return runs() && !screen()->marksAreEarly(); }, kPatience_ms);
+    }
     QString text(const char* name) {
         auto* label = desktop.find<QLabel>(QLatin1String(name));
         return label ? label->text() : QString();

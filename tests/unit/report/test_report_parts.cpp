@@ -358,6 +358,12 @@ void TestReportParts::gatesAndBandsInWords() {
     QCOMPARE(formatGate(row, english), QStringLiteral("≤ 25.0\u00a0%"));
     row.gateMinimum = 1.0;
     QCOMPARE(formatGate(row, english), QStringLiteral("1.00 – 25.0\u00a0%"));
+    MetricRow all;
+    all.unit = row.unit;
+    all.gateMinimum = 100.0; // everything: nothing is more
+    QCOMPARE(formatGate(all, english), QStringLiteral("100\u00a0%"));
+    all.gateMinimum = 80.0;
+    QCOMPARE(formatGate(all, english), QStringLiteral("≥ 80.0\u00a0%"));
     row.bandLow = 2.9;
     QVERIFY(formatBand(row, english).isEmpty()); // half a band is none
     row.bandHigh = 25.5;

@@ -279,6 +279,7 @@ void TestMetrics::everyRowIsWhole() {
             id);
         for (const std::string_view text : {metric.title, metric.meaning, metric.definition, metric.source})
             QVERIFY2(!text.empty() && text.front() != ' ' && text.back() != ' ', id);
+        QVERIFY2(metric.wholly.empty() || (metric.unit == "%" && metric.wholly.back() != '.'), id);
         QVERIFY2(metric.meaning.back() == '.' && metric.title.back() != '.', id);
         QVERIFY2(metric.measure != nullptr, id);
         QVERIFY2(metric.chance.metric.empty() || findMetric(metric.chance.metric) != nullptr, id);
@@ -289,7 +290,8 @@ void TestMetrics::everyRowIsWhole() {
         QVERIFY2(metric.version == (before ? before->version + 1 : 1), id);
         // A new version measures anew; what people call it and what it is counted in stay.
         QVERIFY2(!before || (metric.title == before->title && metric.meaning == before->meaning &&
-                             metric.unit == before->unit && metric.measure != before->measure),
+                             metric.wholly == before->wholly && metric.unit == before->unit &&
+                             metric.measure != before->measure),
                  id);
         before = &metric;
     }

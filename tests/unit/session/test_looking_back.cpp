@@ -197,6 +197,49 @@ private slots:
         QVERIFY(!worstMoment(track, {}, gates));
     }
 
+    /// A light touch is no worst moment; a force near the limit is, and so is a trial that would have failed.
+    void withoutAFailedGateOnlyWhatMattersStandsOut() {
+        PlaybackTrack track = quietEnd(); // its largest force is 3 N
+        track.exercise = "elastic_tube";
+        PlaybackTrial second = track.trials[0];
+        track.trials[0].end_s = 5.0;
+        second.index = 1;
+        second.start_s = 5.5;
+        track.trials.push_back(second);
+        const std::vector<scoring::Gate> gates{
+            {"over_stretches", {}, 3.0}, {"tension_error_rms", {}, 0.1}, {"time_in_band", 2.0, {}}};
+        scoring::ScoreCard card;
+        card.metrics = {{"over_stretches", 1, "count", 2.0, "", true},
+                        {"tension_error_rms", 1, "N", 0.08, "", true},
+                        {"time_in_band", 1, "s", 2.5, "", true}};
+        const auto trial = [](double error_N, double held_s) {
+            return std::vector<scoring::MetricValue>{{"over_stretches", 1, "count", 2.0, "", {}},
+                                                     {"tension_error_rms", 1, "N", error_N, "", {}},
+                                                     {"time_in_band", 1, "s", held_s, "", {}}};
+        };
+        card.trials = {trial(0.09, 2.4), trial(0.07, 2.6)};
+        track.forceLimit_N = 4.0;
+        QVERIFY(!worstMoment(track, card, gates)); // 75 % of the limit, and every trial by itself is good
+        track.forceLimit_N = 3.5;
+        const auto near = worstMoment(track, card, gates);
+        QVERIFY(near && !near->gateFailed);
+        QCOMPARE(near->reason, std::string("force_max"));
+        QCOMPARE(near->value, 3.0);
+        track.forceLimit_N = 4.0;
+        card.trials = {trial(0.05, 2.4), trial(0.11, 1.0)}; // the first gate of the two comes first
+        const auto wide = worstMoment(track, card, gates);
+        QVERIFY(wide && !wide->gateFailed);
+        QCOMPARE(wide->reason, std::string("tension_error_rms"));
+        QCOMPARE(wide->trial, 1);
+        QCOMPARE(wide->value, 0.11);
+        card.trials = {trial(0.05, 1.0), trial(0.09, 4.0)};
+        const auto brief = worstMoment(track, card, gates);
+        QVERIFY(brief && brief->reason == "time_in_band" && brief->trial == 0);
+        card.trials = {trial(0.05, 4.0), trial(0.09, 4.0)};
+        card.trials[0][0].value = 4.0; // a count is the session's
+        QVERIFY(!worstMoment(track, card, gates));
+    }
+
     // The recording keeps what the tissue answered, and that tells which of its two limits it met.
     void tissueTellsWhetherForceOrTorqueBrokeIt() {
         simulation::YieldLaw law;

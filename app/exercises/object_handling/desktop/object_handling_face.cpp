@@ -5,6 +5,8 @@
 #include "app/exercises/object_handling/desktop/handling_layer.h"
 #include "app/exercises/object_handling/desktop/handling_picture.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
+#include "core/units.h"
+#include "cues/laparoscopy_cues.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
@@ -12,6 +14,10 @@
 #include "desktop/training/grasp_part.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
 namespace chiron::desktop {
 
@@ -37,6 +43,36 @@ public:
 
 private:
     report::HandlingReport m_handling;
+};
+
+/// How far from the middle of the ring the object lies that was held last, as it is scored.
+class PlacedBesideTarget final : public MarkAnswer {
+public:
+    void follow(const haptics::DisplayState& state) override {
+        const auto& cues = state.exercise.of<core::LaparoscopyCues>();
+        if (state.phase == core::TrialPhase::ready || state.trial != m_trial)
+            m_last.reset();
+        m_trial = state.trial;
+        const int bodies =
+            cues.present ? std::min(cues.bodies, static_cast<int>(core::LaparoscopyCues::kMaxBodies)) : 0;
+        for (int i = 0; i < bodies; ++i)
+            if (cues.body[static_cast<std::size_t>(i)].heldBy != 0)
+                m_last = i;
+        if (m_last && *m_last < bodies)
+            m_p_W = cues.body[static_cast<std::size_t>(*m_last)].p_W;
+    }
+    QString endWords(const session::TrialObject& target, const QLocale& locale) const override {
+        if (!m_last)
+            return {};
+        const double beside_m = std::hypot(m_p_W[0] - target.p_WObject.x(), m_p_W[1] - target.p_WObject.y());
+        return AnswerTexts::tr("%1 mm from the middle of the ring")
+            .arg(locale.toString(core::mmFromM(beside_m), 'f', 1));
+    }
+
+private:
+    int m_trial = -1;
+    std::optional<int> m_last; ///< the object that was held last; empty: none was held yet
+    std::array<double, 3> m_p_W{};
 };
 
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
@@ -80,6 +116,10 @@ std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::Exercise
     const auto& p = level.parameters.as<simulation::ObjectHandlingParameters>();
     return std::make_unique<GraspPart>(handlingGrasping(p, session::levelLimits(level)), level.feedback,
                                        std::move(around));
+}
+
+std::unique_ptr<TrialAnswer> ObjectHandlingFace::trialAnswer() const {
+    return std::make_unique<PlacedBesideTarget>();
 }
 
 QString ObjectHandlingFace::debriefTitle() const {

@@ -14,6 +14,7 @@ public:
     QStringList limitWords(const session::LevelLimits& limits, const QLocale& locale) const override;
     std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level,
                                        LiveSurroundings around) const override;
+    std::unique_ptr<TrialAnswer> trialAnswer() const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level,

@@ -118,7 +118,7 @@ QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches, 
         all << (handle ? KeyWords::tr("Squeeze tissue between the jaws: open the grip in the air, lower it, "
                                       "close it.")
                        : KeyWords::tr("Squeeze tissue between the jaws: open them in the air with O, lower "
-                                      "them, close them with G."));
+                                      "them, close them with G. They stay as they are when you let go."));
     all << KeyWords::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
     if (handle)
         return (all << KeyWords::tr("Space: pause. Esc: stop force. F5: start again."))

@@ -119,7 +119,7 @@ QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& lev
         facts << LevelFactTexts::tr("Landmarks of the bladder to inspect: %1")
                      .arg(locale.toString(static_cast<int>(p.landmarks.size())));
     facts << viewText(level.cues) << depthOfFieldText(p);
-    facts << LevelFactTexts::tr("Time: %1 s at most").arg(locale.toString(qRound(p.trialLimit_s)));
+    facts << LevelFactTexts::tr("The trial ends after %1 s").arg(locale.toString(qRound(p.trialLimit_s)));
     return facts;
 }
 
@@ -127,7 +127,8 @@ QStringList UrethraInsertionFace::limitWords(const session::LevelLimits& limits,
                                              const QLocale& locale) const {
     QStringList words;
     if (const auto lateral_N = limits.of("lateral_max"))
-        words << GateTexts::tr("Force across the canal: %1 N at most").arg(factNumber(*lateral_N, locale));
+        words << GateTexts::tr("Force across the canal: %1 N at most; pressing harder is a trauma event")
+                     .arg(factNumber(*lateral_N, locale));
     return words;
 }
 

@@ -18,7 +18,7 @@ QString sayLandmark(const PlaybackMark& mark, const QLocale& locale) {
 }
 
 QString sayTrauma(const PlaybackMark& mark, const QLocale& locale) {
-    return MarkTexts::tr("Pressed against the wall for %1, up to %2")
+    return MarkTexts::tr("Trauma event: pressed sideways on the wall for %1, up to %2")
         .arg(markSpan(mark, locale), markValue(mark, QStringLiteral("N"), locale));
 }
 

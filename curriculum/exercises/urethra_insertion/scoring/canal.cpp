@@ -344,7 +344,8 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Trauma events"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How often the endoscope pressed sideways on the wall "
-                                                      "over the limit of this level for 20 ms or longer."),
+                                                      "over the limit of this level for 20 ms or longer. "
+                                                      "Each time is a trauma event: it may injure the wall."),
               .definition = "How often the force across the canal was over the level's lateral limit for 20 "
                             "ms or longer, to begin again only from "
                             "below 80 % of it. It is the whole tissue force without its part along the "
@@ -405,6 +406,7 @@ std::vector<MetricDefinition> canalMetrics() {
          .meaning = QT_TRANSLATE_NOOP(
              "Metrics",
              "The landmarks of the bladder that were inspected, in % of those that the level asks for."),
+         .wholly = QT_TRANSLATE_NOOP("Metrics", "All landmarks are seen"),
          .definition = "Landmarks of the bladder that were inspected, in % of those that the level asks for.",
          .source = "models.md §1.3, §6",
          .measure = measureLandmarksSeen});
