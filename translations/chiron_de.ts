@@ -213,6 +213,10 @@
         <source>The object came off the tool</source>
         <translation>Das Objekt hat sich vom Instrument gelöst</translation>
     </message>
+    <message>
+        <source>%1 mm from the middle of the ring</source>
+        <translation>%1 mm von der Mitte des Rings</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -453,10 +457,6 @@
         <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Anheben drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
     </message>
     <message>
-        <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
-        <translation>Halten Sie die linke Taste oder G. Zum Öffnen halten Sie die Umschalttaste und die linke Taste oder H.</translation>
-    </message>
-    <message>
         <source>Take the handle and move it: the tool moves with it.</source>
         <translation>Nehmen Sie den Griff und bewegen Sie ihn: Das Instrument bewegt sich mit.</translation>
     </message>
@@ -519,6 +519,10 @@
     <message>
         <source>You move one hand at a time. Press H for the other one.</source>
         <translation>Sie bewegen jeweils eine Hand. Drücken Sie H für die andere.</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. When you let go, the jaw stays as it is. To open it, hold Shift and the left button, or H.</source>
+        <translation>Halten Sie die linke Taste oder G. Wenn Sie loslassen, bleiben die Branchen, wie sie sind. Zum Öffnen halten Sie die Umschalttaste und die linke Taste oder H.</translation>
     </message>
 </context>
 <context>
@@ -1259,16 +1263,24 @@ Einzelheiten: %2</translation>
         <translation>Quetschkraft: höchstens %1 N</translation>
     </message>
     <message>
-        <source>Force across the canal: %1 N at most</source>
-        <translation>Kraft quer zum Kanal: höchstens %1 N</translation>
-    </message>
-    <message>
         <source>Pull on the fold: %1 N at most</source>
         <translation>Zug an der Falte: höchstens %1 N</translation>
     </message>
     <message>
         <source>At the end: %1 mm from the middle of the ring at most, on average</source>
         <translation>Am Ende: im Mittel höchstens %1 mm von der Ringmitte entfernt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, in every trial</source>
+        <translation>%1, in jedem Durchgang</translation>
+    </message>
+    <message>
+        <source>Force across the canal: %1 N at most; pressing harder is a trauma event</source>
+        <translation>Kraft quer zum Kanal: höchstens %1 N; stärkerer Druck ist ein Verletzungsereignis</translation>
     </message>
 </context>
 <context>
@@ -1597,14 +1609,6 @@ Einzelheiten: %2</translation>
         <translation>Zu inspizierende Landmarken der Blase: %1</translation>
     </message>
     <message>
-        <source>Time: %1 s at most</source>
-        <translation>Zeit: höchstens %1 s</translation>
-    </message>
-    <message>
-        <source>Trials: %1, at most %2 s each</source>
-        <translation>Durchgänge: %1, je höchstens %2 s</translation>
-    </message>
-    <message>
         <source>Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s</source>
         <translation>Ziel: eine Spannung zwischen %1 und %2 N, %4 s lang auf ±%3 N genau gehalten</translation>
     </message>
@@ -1711,6 +1715,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>Surface: a soft organ that deforms</source>
         <translation>Unterlage: ein weiches Organ, das sich verformt</translation>
+    </message>
+    <message>
+        <source>Trials: %1; each ends after %2 s at the latest</source>
+        <translation>Durchgänge: %1; jeder endet spätestens nach %2 s</translation>
+    </message>
+    <message>
+        <source>The trial ends after %1 s at the latest</source>
+        <translation>Der Durchgang endet spätestens nach %1 s</translation>
     </message>
 </context>
 <context>
@@ -1973,10 +1985,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>Trauma events</source>
         <translation>Verletzungsereignisse</translation>
-    </message>
-    <message>
-        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
-        <translation>Wie oft das Endoskop 20 ms oder länger seitlich stärker gegen die Wand drückte, als die Grenze dieser Stufe erlaubt.</translation>
     </message>
     <message>
         <source>Trauma time</source>
@@ -2521,6 +2529,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>none of the lumps found was given a size</source>
         <translation>zu keinem gefundenen Knoten wurde die Größe angegeben</translation>
+    </message>
+    <message>
+        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer. Each time is a trauma event: it may injure the wall.</source>
+        <translation>Wie oft das Endoskop 20 ms oder länger seitlich stärker gegen die Wand drückte, als die Grenze dieser Stufe erlaubt. Jedes Mal ist ein Verletzungsereignis: Es kann die Wand verletzen.</translation>
+    </message>
+    <message>
+        <source>All landmarks are seen</source>
+        <translation>Alle Landmarken sind gesehen</translation>
+    </message>
+    <message>
+        <source>The procedure is completed</source>
+        <translation>Der Eingriff ist abgeschlossen</translation>
     </message>
 </context>
 <context>
@@ -3553,10 +3573,6 @@ Einzelheiten: %2</translation>
         <translation>%1 lang in Kontakt</translation>
     </message>
     <message>
-        <source>Over the limit for %1, up to %2</source>
-        <translation>%1 lang über der Grenze, mit bis zu %2</translation>
-    </message>
-    <message>
         <source>Paused for %1</source>
         <translation>%1 lang Pause</translation>
     </message>
@@ -3623,10 +3639,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>A landmark was seen</source>
         <translation>Eine Landmarke wurde gesehen</translation>
-    </message>
-    <message>
-        <source>Pressed against the wall for %1, up to %2</source>
-        <translation>%1 lang gegen die Wand gedrückt, mit bis zu %2</translation>
     </message>
     <message>
         <source>Moved back by %1</source>
@@ -3787,6 +3799,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>The object came off the tool at %1</source>
         <translation>Das Objekt löste sich bei %1 vom Instrument</translation>
+    </message>
+    <message>
+        <source>Trauma event: pressed sideways on the wall for %1, up to %2</source>
+        <translation>Verletzungsereignis: %1 lang seitlich gegen die Wand gedrückt, mit bis zu %2</translation>
+    </message>
+    <message>
+        <source>Over the force limit for %1, up to %2</source>
+        <translation>%1 lang über der Kraftgrenze, mit bis zu %2</translation>
     </message>
 </context>
 <context>
@@ -7690,10 +7710,6 @@ Einzelheiten: %2</translation>
         <translation>Fund bewerten: 1 bis 5, V für die andere Bewertung, + und − für die Größe.</translation>
     </message>
     <message>
-        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
-        <translation>Gewebe zwischen den Branchen drücken: in der Luft mit O öffnen, absenken, mit G schließen.</translation>
-    </message>
-    <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
         <translation>Nächster Fund: N. Zurücknehmen: Entf. Nichts mehr zu melden: D.</translation>
     </message>
@@ -7740,6 +7756,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Demonstration (%1). %2</source>
         <translation>Vorführung (%1). %2</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G. They stay as they are when you let go.</source>
+        <translation>Gewebe zwischen den Branchen drücken: in der Luft mit O öffnen, absenken, mit G schließen. Sie bleiben, wie sie sind, wenn Sie loslassen.</translation>
     </message>
 </context>
 <context>
@@ -13787,6 +13807,10 @@ Mit Tab gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich au
         <source>Space: read on</source>
         <translation>Leertaste: weiterlesen</translation>
     </message>
+    <message>
+        <source>Back to the scene (Enter)</source>
+        <translation>Zurück zur Szene (Enter)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodeDialog</name>
@@ -16990,6 +17014,14 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Scroll up in the panel</source>
         <translation>In der Leiste nach oben blättern</translation>
+    </message>
+    <message>
+        <source>The practice is paused. Press Resume or Space to go on.</source>
+        <translation>Die Übungszeit ist pausiert. Drücken Sie „Weiter“ oder die Leertaste, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The trial is paused and its clock is stopped. Press Resume or Space to go on.</source>
+        <translation>Der Durchgang ist pausiert, und seine Uhr steht. Drücken Sie „Weiter“ oder die Leertaste, um fortzufahren.</translation>
     </message>
 </context>
 <context>

@@ -213,6 +213,10 @@
         <source>The object came off the tool</source>
         <translation>Το αντικείμενο ξέφυγε από το εργαλείο</translation>
     </message>
+    <message>
+        <source>%1 mm from the middle of the ring</source>
+        <translation>%1 mm από το κέντρο του δακτυλίου</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -453,10 +457,6 @@
         <translation>Γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down. Για ανέβασμα γυρίστε τον προς τα εμπρός ή κρατήστε το Page Up.</translation>
     </message>
     <message>
-        <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
-        <translation>Κρατήστε το αριστερό κουμπί ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό κουμπί, ή το H.</translation>
-    </message>
-    <message>
         <source>Take the handle and move it: the tool moves with it.</source>
         <translation>Πιάστε τη λαβή και μετακινήστε την: το εργαλείο κινείται μαζί της.</translation>
     </message>
@@ -519,6 +519,10 @@
     <message>
         <source>You move one hand at a time. Press H for the other one.</source>
         <translation>Κινείτε ένα χέρι τη φορά. Πατήστε H για το άλλο.</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. When you let go, the jaw stays as it is. To open it, hold Shift and the left button, or H.</source>
+        <translation>Κρατήστε το αριστερό κουμπί ή το G. Όταν το αφήσετε, οι σιαγόνες μένουν όπως είναι. Για άνοιγμα κρατήστε το Shift και το αριστερό κουμπί, ή το H.</translation>
     </message>
 </context>
 <context>
@@ -1259,16 +1263,24 @@ Details: %2</source>
         <translation>Σύσφιξη: έως %1 N</translation>
     </message>
     <message>
-        <source>Force across the canal: %1 N at most</source>
-        <translation>Πλάγια δύναμη στον αυλό: έως %1 N</translation>
-    </message>
-    <message>
         <source>Pull on the fold: %1 N at most</source>
         <translation>Έλξη της πτυχής: έως %1 N</translation>
     </message>
     <message>
         <source>At the end: %1 mm from the middle of the ring at most, on average</source>
         <translation>Στο τέλος: έως %1 mm από το κέντρο του δακτυλίου, κατά μέσο όρο</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, in every trial</source>
+        <translation>%1, σε κάθε δοκιμή</translation>
+    </message>
+    <message>
+        <source>Force across the canal: %1 N at most; pressing harder is a trauma event</source>
+        <translation>Πλάγια δύναμη στον αυλό: έως %1 N· μεγαλύτερη πίεση είναι συμβάν τραυματισμού</translation>
     </message>
 </context>
 <context>
@@ -1597,14 +1609,6 @@ Details: %2</source>
         <translation>Οδηγά σημεία της κύστης προς επισκόπηση: %1</translation>
     </message>
     <message>
-        <source>Time: %1 s at most</source>
-        <translation>Χρόνος: το πολύ %1 s</translation>
-    </message>
-    <message>
-        <source>Trials: %1, at most %2 s each</source>
-        <translation>Δοκιμές: %1, έως %2 s η καθεμία</translation>
-    </message>
-    <message>
         <source>Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s</source>
         <translation>Στόχος: τάση μεταξύ %1 και %2 N, σταθερή εντός ±%3 N για %4 s</translation>
     </message>
@@ -1711,6 +1715,14 @@ Details: %2</source>
     <message>
         <source>Surface: a soft organ that deforms</source>
         <translation>Βάση: ένα μαλακό όργανο που παραμορφώνεται</translation>
+    </message>
+    <message>
+        <source>Trials: %1; each ends after %2 s at the latest</source>
+        <translation>Δοκιμές: %1· η καθεμία τελειώνει το αργότερο μετά από %2 s</translation>
+    </message>
+    <message>
+        <source>The trial ends after %1 s at the latest</source>
+        <translation>Η δοκιμή τελειώνει το αργότερο μετά από %1 s</translation>
     </message>
 </context>
 <context>
@@ -1973,10 +1985,6 @@ Details: %2</source>
     <message>
         <source>Trauma events</source>
         <translation>Συμβάντα τραυματισμού</translation>
-    </message>
-    <message>
-        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
-        <translation>Πόσες φορές το ενδοσκόπιο πίεσε πλάγια το τοίχωμα πάνω από το όριο αυτού του επιπέδου για 20 ms ή περισσότερο.</translation>
     </message>
     <message>
         <source>Trauma time</source>
@@ -2521,6 +2529,18 @@ Details: %2</source>
     <message>
         <source>none of the lumps found was given a size</source>
         <translation>για κανέναν όζο που βρέθηκε δεν δηλώθηκε μέγεθος</translation>
+    </message>
+    <message>
+        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer. Each time is a trauma event: it may injure the wall.</source>
+        <translation>Πόσες φορές το ενδοσκόπιο πίεσε πλάγια το τοίχωμα πάνω από το όριο αυτού του επιπέδου για 20 ms ή περισσότερο. Κάθε φορά είναι ένα συμβάν τραυματισμού: μπορεί να τραυματίσει το τοίχωμα.</translation>
+    </message>
+    <message>
+        <source>All landmarks are seen</source>
+        <translation>Φαίνονται όλα τα οδηγά σημεία</translation>
+    </message>
+    <message>
+        <source>The procedure is completed</source>
+        <translation>Η διαδικασία ολοκληρώνεται</translation>
     </message>
 </context>
 <context>
@@ -3553,10 +3573,6 @@ Details: %2</source>
         <translation>Σε επαφή για %1</translation>
     </message>
     <message>
-        <source>Over the limit for %1, up to %2</source>
-        <translation>Πάνω από το όριο για %1, έως %2</translation>
-    </message>
-    <message>
         <source>Paused for %1</source>
         <translation>Σε παύση για %1</translation>
     </message>
@@ -3623,10 +3639,6 @@ Details: %2</source>
     <message>
         <source>A landmark was seen</source>
         <translation>Φάνηκε ένα οδηγό σημείο</translation>
-    </message>
-    <message>
-        <source>Pressed against the wall for %1, up to %2</source>
-        <translation>Πίεση στο τοίχωμα για %1, έως %2</translation>
     </message>
     <message>
         <source>Moved back by %1</source>
@@ -3787,6 +3799,14 @@ Details: %2</source>
     <message>
         <source>The object came off the tool at %1</source>
         <translation>Το αντικείμενο ξέφυγε από το εργαλείο στα %1</translation>
+    </message>
+    <message>
+        <source>Trauma event: pressed sideways on the wall for %1, up to %2</source>
+        <translation>Συμβάν τραυματισμού: πλάγια πίεση στο τοίχωμα για %1, έως %2</translation>
+    </message>
+    <message>
+        <source>Over the force limit for %1, up to %2</source>
+        <translation>Πάνω από το όριο δύναμης για %1, έως %2</translation>
     </message>
 </context>
 <context>
@@ -7690,10 +7710,6 @@ Details: %2</source>
         <translation>Βαθμολόγηση ευρήματος: 1 έως 5, V για την άλλη βαθμολογία, + και − για το μέγεθος.</translation>
     </message>
     <message>
-        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
-        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τις στον αέρα με το O, κατεβάστε τις, κλείστε τις με το G.</translation>
-    </message>
-    <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
         <translation>Επόμενο εύρημα: N. Αφαίρεση: Delete. Τίποτε άλλο για αναφορά: D.</translation>
     </message>
@@ -7740,6 +7756,10 @@ Details: %2</source>
     <message>
         <source>Demonstration (%1). %2</source>
         <translation>Επίδειξη (%1). %2</translation>
+    </message>
+    <message>
+        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G. They stay as they are when you let go.</source>
+        <translation>Σύσφιξη ιστού ανάμεσα στις σιαγόνες: ανοίξτε τις στον αέρα με το O, κατεβάστε τις, κλείστε τις με το G. Όταν αφήσετε το πλήκτρο, μένουν όπως είναι.</translation>
     </message>
 </context>
 <context>
@@ -13787,6 +13807,10 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>Space: read on</source>
         <translation>Διάστημα: συνέχεια ανάγνωσης</translation>
     </message>
+    <message>
+        <source>Back to the scene (Enter)</source>
+        <translation>Πίσω στη σκηνή (Enter)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodeDialog</name>
@@ -16990,6 +17014,14 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Scroll up in the panel</source>
         <translation>Κύλιση του πίνακα προς τα πάνω</translation>
+    </message>
+    <message>
+        <source>The practice is paused. Press Resume or Space to go on.</source>
+        <translation>Η εξάσκηση είναι σε παύση. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>The trial is paused and its clock is stopped. Press Resume or Space to go on.</source>
+        <translation>Η δοκιμή είναι σε παύση και ο χρόνος της έχει σταματήσει. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
     </message>
 </context>
 <context>

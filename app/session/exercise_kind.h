@@ -171,6 +171,9 @@ public:
     /// anywhere. Otherwise they assume that D equals W.
     virtual bool operatorsKnowTheirPlace() const noexcept { return false; }
     virtual std::vector<std::string> operatorNames() const = 0;
+    /// Seed of what people watch before they train, of any level: one with which the expert passes it
+    /// (test_demonstrations), because experts fail now and then, and a demonstration shows how it is done.
+    virtual std::uint64_t demonstrationSeed() const noexcept { return 1; }
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
     /// The metrics of its own whose values a level limits, in addition to the force on the tissue, in the

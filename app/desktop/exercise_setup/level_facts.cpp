@@ -11,7 +11,7 @@ QString factNumber(double value, const QLocale& locale) {
 }
 
 QString trialsFact(int trials, double limit_s, const QLocale& locale) {
-    return LevelFactTexts::tr("Trials: %1; each ends after %2 s")
+    return LevelFactTexts::tr("Trials: %1; each ends after %2 s at the latest")
         .arg(locale.toString(trials), locale.toString(qRound(limit_s)));
 }
 

@@ -20,7 +20,8 @@ struct LevelFactTexts {
 };
 
 // Lines that several exercises share.
-QString factNumber(double value, const QLocale& locale);               ///< "0.6"; three significant digits
-QString trialsFact(int trials, double limit_s, const QLocale& locale); ///< "Trials: 10; each ends after 60 s"
+QString factNumber(double value, const QLocale& locale); ///< "0.6"; three significant digits
+QString trialsFact(int trials, double limit_s,
+                   const QLocale& locale); ///< "Trials: 10; each ends after 60 s at the latest"
 
 } // namespace chiron::desktop

@@ -54,6 +54,7 @@ QVariantMap TrainingPlan::toMap() const {
                     {QStringLiteral("device"),
                      QString::fromUtf8(driver->planWord.data(), qsizetype(driver->planWord.size()))},
                     {QStringLiteral("operator"), operatorName},
+                    {QStringLiteral("seed"), qulonglong{seed}},
                     {QStringLiteral("force_map"), forceMap},
                     {QStringLiteral("trace"), traceFile},
                     {QStringLiteral("addresses"), addresses},
@@ -79,6 +80,7 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.level = map.value(QStringLiteral("level"), 1).toInt();
     plan.driver = driverOf(map.value(QStringLiteral("device")).toString());
     plan.operatorName = map.value(QStringLiteral("operator")).toString();
+    plan.seed = map.value(QStringLiteral("seed")).toULongLong();
     plan.forceMap = map.value(QStringLiteral("force_map")).toString();
     plan.traceFile = map.value(QStringLiteral("trace")).toString();
     plan.addresses = map.value(QStringLiteral("addresses")).toStringList();
@@ -119,6 +121,7 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level) {
     plan.level = level;
     plan.driver = &devices::usualDriver(devices::MovedBy::scriptedOperator);
     plan.operatorName = QString::fromStdString(kExpert);
+    plan.seed = (*kind)->demonstrationSeed();
     return plan;
 }
 
@@ -130,7 +133,9 @@ core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan,
                                                  const catalogue::ExerciseLevel& level) {
     session::TrainingRequest request;
     request.level = level;
-    request.seed = QRandomGenerator::global()->generate64() >> 1; // also fits a signed number
+    request.seed = plan.seed != 0
+                       ? plan.seed
+                       : QRandomGenerator::global()->generate64() >> 1; // also fits a signed number
     request.familiarisation = (plan.familiarisation && plan.ownHand()) || plan.practises();
     request.ringFolder = recording::defaultRingFolder();
     auto station = stationOf(plan, level, request.seed);

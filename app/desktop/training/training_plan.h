@@ -20,6 +20,8 @@ struct TrainingPlan {
     /// From the catalogue, never null.
     const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::person);
     QString operatorName; ///< for a demonstration
+    /// Of the session; 0: any. Given for the expert's demonstration, which shows how the level is passed.
+    std::uint64_t seed = 0;
     /// For a demonstration on a mechanism with several (KinematicsEntry::forceMaps); empty: the usual one.
     QString forceMap;
     QString traceFile;     ///< for a trace

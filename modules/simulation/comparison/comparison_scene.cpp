@@ -183,6 +183,15 @@ bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const no
            (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
 }
 
+/// Bound on the force of rough pads that have stored as much energy as a smooth one at `force_N`. It rises
+/// above that force only where more is pressed than can be felt, from 1.25 to twice the cap, so that
+/// roughness is felt unchanged below; beyond, no force is larger, and a cap on it makes no energy.
+double ComparisonScene::boundOn(double force_N) const noexcept {
+    constexpr double kFrom = 1.25, kTo = 2.0;
+    const double t = std::clamp((force_N / m_parameters.maximumForce_N - kFrom) / (kTo - kFrom), 0.0, 1.0);
+    return force_N * (1.0 + (m_steepest - 1.0) * t * t * (3.0 - 2.0 * t));
+}
+
 /// Lets all places respond and sums their forces. Returns the response of the place that is felt most.
 ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m,
                                              SceneOutput& out) noexcept {
@@ -216,7 +225,7 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
             m_touched |= 1u << i;
     }
     out.damping_Ns_per_m[0] = budget.used_Ns_per_m();
-    out.load_N[0] = m_steepest * std::sqrt(load_N2);
+    out.load_N[0] = m_steepest > 1.0 ? boundOn(std::sqrt(load_N2)) : 0.0;
     return felt;
 }
 

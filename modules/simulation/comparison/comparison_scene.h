@@ -68,6 +68,7 @@ private:
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m,
                                 SceneOutput& out) noexcept;
+    double boundOn(double force_N) const noexcept;
     void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool,
                         SceneOutput& out) const noexcept;
     void fillCues(SceneOutput& out) const noexcept;

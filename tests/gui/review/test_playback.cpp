@@ -370,7 +370,7 @@ void TestPlayback::marksJump() {
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Return); // the mark in hand once more, by keyboard
     QCOMPARE(screen()->clock().position_s(), there_s);
-    for (const char* of : {"Over the limit", "gave way"}) // who pressed so hard did both
+    for (const char* of : {"Over the force limit", "gave way"}) // who pressed so hard did both
         QVERIFY2(!list->findItems(QLatin1String(of), Qt::MatchContains).isEmpty(), of);
 }
 

@@ -119,7 +119,8 @@ QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& lev
         facts << LevelFactTexts::tr("Landmarks of the bladder to inspect: %1")
                      .arg(locale.toString(static_cast<int>(p.landmarks.size())));
     facts << viewText(level.cues) << depthOfFieldText(p);
-    facts << LevelFactTexts::tr("The trial ends after %1 s").arg(locale.toString(qRound(p.trialLimit_s)));
+    facts << LevelFactTexts::tr("The trial ends after %1 s at the latest")
+                 .arg(locale.toString(qRound(p.trialLimit_s)));
     return facts;
 }
 
