@@ -219,11 +219,14 @@ void TrainingScreen::buildSide() {
         m_soundSign = new SoundSign(theme);
         column.addWidget(m_soundSign);
     }
-    if (m_level && m_level->needsForce && m_level->shownForce)
-        column.addWidget(kit::label(theme,
-                                    QString::fromStdString(catalogue::textIn(
-                                        m_level->shownForce->note, context().language().toStdString())),
-                                    TextStyle::small, "muted"));
+    if (m_level && m_level->needsForce && m_level->shownForce && !m_plan.feltByPerson()) {
+        auto* note = kit::label(theme,
+                                QString::fromStdString(catalogue::textIn(m_level->shownForce->note,
+                                                                         context().language().toStdString())),
+                                TextStyle::small, "muted");
+        note->setObjectName(QStringLiteral("training.shown_force"));
+        column.addWidget(note);
+    }
     m_info = makeInfo();
     m_side->addInfo(m_info);
     column.addWidget(buildDetailsSwitch());
