@@ -569,7 +569,7 @@
     </message>
     <message>
         <source>The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.</source>
-        <translation>Das leichteste Objekt wiegt nur %1 N, sodass es angehoben nicht als berührt gälte. Wählen Sie eine kleinere Kraft.</translation>
+        <translation>Das leichteste Objekt wiegt nur %1 N; es anzuheben würde deshalb nicht als Berührung zählen. Wählen Sie eine kleinere Kraft.</translation>
     </message>
     <message>
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
@@ -1087,7 +1087,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>About %1 minutes for each participant, as simulated.</source>
-        <translation>Simuliert etwa %1 Minuten je Person.</translation>
+        <translation>In der Simulation etwa %1 Minuten je Person.</translation>
     </message>
     <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
@@ -1153,7 +1153,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>It is switched off. Participants may hear the device, and its sound may tell them which object is which.</source>
-        <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät, und was sie hören, kann Objekte unterscheidbar machen.</translation>
+        <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät und könnten die Objekte am Geräusch unterscheiden.</translation>
     </message>
     <message>
         <source>It is played during the trials.</source>
@@ -1188,7 +1188,7 @@ Einzelheiten: %2</translation>
         <translation>Das Gerät dieses Arbeitsplatzes gibt Kraft aus.</translation>
     </message>
     <message>
-        <source>More trials make it more precise; the page Expected precision shows how many.</source>
+        <source>More trials make it more precise; the page “Expected precision” shows how many.</source>
         <translation>Mehr Durchgänge machen es genauer; die Seite „Erwartete Genauigkeit“ zeigt, wie viele.</translation>
     </message>
     <message>
@@ -2379,7 +2379,7 @@ Einzelheiten: %2</translation>
         <translation>Zeit im Kraftbereich</translation>
     </message>
     <message>
-        <source>How much of the pressing time the force was neither too low nor too high.</source>
+        <source>During how much of the pressing time the force was neither too low nor too high.</source>
         <translation>In welchem Teil der Druckzeit die Kraft weder zu gering noch zu groß war.</translation>
     </message>
     <message>
@@ -2483,8 +2483,8 @@ Einzelheiten: %2</translation>
         <translation>Scheitelfehler</translation>
     </message>
     <message>
-        <source>How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.</source>
-        <translation>Wie weit die Markierung vom höchsten Punkt entfernt war, in % des Radius, im Durchschnitt aus links–rechts und vorn–hinten.</translation>
+        <source>How far the mark lay from the highest point, in % of the radius, averaged over left–right and front–back.</source>
+        <translation>Wie weit die Markierung vom höchsten Punkt entfernt war, in % des Radius, gemittelt über die Richtungen links–rechts und vorn–hinten.</translation>
     </message>
     <message>
         <source>Largest misalignment</source>
@@ -2765,7 +2765,7 @@ Einzelheiten: %2</translation>
         <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s je Durchgang</translation>
     </message>
     <message>
@@ -2908,7 +2908,7 @@ Einzelheiten: %2</translation>
         <translation>Drücken Sie „Durchführen“ und setzen Sie „%1“ bei dem Durchgang fort, bei dem unterbrochen wurde. Kommt diese Person nicht wieder, ziehen Sie ihre Teilnahme zurück: Was sie getan hat, bleibt erhalten.</translation>
     </message>
     <message>
-        <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
+        <source>“%1” can no longer be started, because the study is closed. The conditions that are done count.</source>
         <translation>„%1“ kann nicht mehr beginnen, weil die Studie geschlossen ist. Die erledigten Bedingungen zählen.</translation>
     </message>
     <message>
@@ -3109,7 +3109,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
-        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; eine flüchtige Berührung genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; eine flüchtige Berührung genügt nicht, und der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
@@ -3180,7 +3180,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Pull every object before you answer; the screen says when more force is needed.</source>
-        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten; der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>Pull every object before you answer.</source>
@@ -3188,7 +3188,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Explore every object before you answer; the screen says when more force is needed.</source>
-        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten; der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>Explore every object before you answer.</source>
@@ -3853,7 +3853,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
-        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied bekannt ist (eine Standardabweichung).</translation>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied genau bekannt ist (eine Standardabweichung).</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
@@ -5763,7 +5763,7 @@ Einzelheiten: %2</translation>
         <translation>Zum Absetzen drehen Sie das Rad zu sich hin oder halten Sie Bild ab, bis das Objekt auf dem Tisch steht, und noch mindestens %1 mm weiter. Heben Sie dann das Instrument: Das Objekt bleibt stehen.</translation>
     </message>
     <message>
-        <source>To put the object down, lower it onto the table and press it on with at least %1 N. Then raise the handle: the object stays there.</source>
+        <source>To put the object down, lower it onto the table and press it down with at least %1 N. Then raise the handle: the object stays there.</source>
         <translation>Zum Absetzen senken Sie das Objekt auf den Tisch und drücken Sie es mit mindestens %1 N an. Heben Sie dann den Griff: Das Objekt bleibt stehen.</translation>
     </message>
     <message>
@@ -7084,11 +7084,11 @@ Einzelheiten: %2</translation>
         <translation>Um die Schwelle zu messen, sind es zu wenige Antworten.</translation>
     </message>
     <message>
-        <source>Copy the study and plan more trials: its page Expected precision shows with how many most runs give a value.</source>
+        <source>Copy the study and plan more trials: its page “Expected precision” shows how many trials most runs need to give a value.</source>
         <translation>Kopieren Sie die Studie und planen Sie mehr Durchgänge: Ihre Seite „Erwartete Genauigkeit“ zeigt, mit wie vielen die meisten Läufe einen Wert ergeben.</translation>
     </message>
     <message>
-        <source>How many participants are needed cannot be told from so few: the page Expected precision of the study tells it for the planned trials.</source>
+        <source>So few participants cannot show how many are needed: the study&apos;s page “Expected precision” shows it for the planned trials.</source>
         <translation>Wie viele Teilnehmende nötig sind, lässt sich aus so wenigen nicht sagen: Die Seite „Erwartete Genauigkeit“ der Studie sagt es für die geplanten Durchgänge.</translation>
     </message>
     <message>
@@ -7100,11 +7100,11 @@ Einzelheiten: %2</translation>
         <translation>etwa %1</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Streuen andere wie diese, so braucht es %1 Personen in beiden Bedingungen, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Streuen andere wie diese, so braucht es %1 Personen in jeder Gruppe, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
     </message>
     <message>
@@ -7777,7 +7777,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>%1 What was recorded is kept and can be played back. The session does not count towards passing; try again when you are ready.</source>
-        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
+        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
     </message>
     <message>
         <source>Interrupted</source>
@@ -7794,8 +7794,8 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</source>
         <translation>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
         </translation>
     </message>
     <message>
@@ -7804,7 +7804,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The device or the force supervisor stopped this session for safety. %1 What was recorded is kept. The session does not count towards passing; check the device before the next attempt.</source>
-        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung aus Sicherheitsgründen gestoppt. %1 Aufgezeichnetes bleibt erhalten. Die Sitzung zählt nicht fürs Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
+        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung aus Sicherheitsgründen gestoppt. %1 Aufgezeichnetes bleibt erhalten. Die Sitzung zählt nicht für das Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
     </message>
     <message>
         <source>Still running</source>
@@ -8474,7 +8474,7 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         </translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s je Durchgang</translation>
     </message>
     <message>
@@ -8958,7 +8958,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können Ihre Teilnahme jederzeit beenden.</translation>
     </message>
     <message>
-        <source>Tick the box first, once the participant agrees.</source>
+        <source>Once the participant agrees, tick the box first.</source>
         <translation>Setzen Sie zuerst das Häkchen, sobald die Person zustimmt.</translation>
     </message>
 </context>
@@ -9472,8 +9472,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Anmeldename, falls die Person hier ein Konto hat (optional)</translation>
     </message>
     <message>
-        <source>With it, an export or an erasure of this person&apos;s data also reaches what they do in this study. It is kept only in the key table; no list and no export of the study shows it.</source>
-        <translation>Damit erfasst ein Export oder eine Löschung der Daten dieser Person auch, was sie in dieser Studie tut. Der Name steht nur in der Schlüsseltabelle; keine Liste und kein Export der Studie zeigt ihn.</translation>
+        <source>With the login name, an export or erasure of this person&apos;s data also covers what they do in this study. The name is kept only in the key table; no list and no export of the study shows it.</source>
+        <translation>Mit dem Anmeldenamen erfasst ein Export oder eine Löschung der Daten dieser Person auch, was sie in dieser Studie tut. Der Name steht nur in der Schlüsseltabelle; keine Liste und kein Export der Studie zeigt ihn.</translation>
     </message>
     <message>
         <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
@@ -10161,8 +10161,8 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Eingefroren. Jetzt können Personen aufgenommen werden.</translation>
     </message>
     <message>
-        <source>I have seen what is worth a look and freeze it all the same</source>
-        <translation>Ich habe gesehen, was einen Blick wert ist, und friere trotzdem ein</translation>
+        <source>I have seen the points that are worth a look and freeze the design anyway</source>
+        <translation>Ich habe die Punkte gesehen, die einen Blick wert sind, und friere den Entwurf trotzdem ein</translation>
     </message>
     <message>
         <source>What is marked in red must be corrected first: after freezing, nobody can change it.</source>
@@ -10232,7 +10232,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Ziel und Ethik</translation>
     </message>
     <message>
-        <source>How many people are to take part; the page Expected precision shows which difference this number can detect.</source>
+        <source>How many people are to take part; the page “Expected precision” shows which difference this number can detect.</source>
         <translation>Wie viele Personen teilnehmen sollen; die Seite „Erwartete Genauigkeit“ zeigt, welchen Unterschied diese Anzahl nachweisen kann.</translation>
     </message>
     <message>
@@ -12814,8 +12814,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Anteil ihrer unachtsamen Antworten.</translation>
     </message>
     <message>
-        <source>They call smaller differences equal; in standard deviations of what they feel.</source>
-        <translation>Kleinere Unterschiede nennen sie gleich; in Standardabweichungen dessen, was sie spüren.</translation>
+        <source>Simulated observers call smaller differences equal; in standard deviations of what they feel.</source>
+        <translation>Kleinere Unterschiede nennen simulierte Beobachter gleich; in Standardabweichungen dessen, was sie spüren.</translation>
     </message>
     <message>
         <source>More runs take longer and give more precise figures.</source>
@@ -14583,7 +14583,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Jedes Objekt berühren</translation>
     </message>
     <message>
-        <source>An answer is taken only once each object was touched.</source>
+        <source>An answer is accepted only once each object has been touched.</source>
         <translation>Eine Antwort zählt erst, wenn jedes Objekt berührt wurde.</translation>
     </message>
     <message>
@@ -14599,8 +14599,8 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Was zu tun ist und wie das Instrument zu halten ist. Lassen Sie Zeit, Durchgänge, Rückmeldung und Pausen weg: Diese Sätze entstehen aus den Einstellungen und passen immer zu ihnen.</translation>
     </message>
     <message>
-        <source>These instructions were written before sentences were made from the settings. Remove what those say now.</source>
-        <translation>Diese Anleitung entstand, bevor Sätze aus den Einstellungen gebildet wurden. Entfernen Sie, was diese jetzt sagen.</translation>
+        <source>These instructions were written before the program made sentences from the settings. Remove what those sentences now say.</source>
+        <translation>Diese Anleitung entstand, bevor das Programm Sätze aus den Einstellungen bildete. Entfernen Sie, was diese Sätze jetzt sagen.</translation>
     </message>
     <message>
         <source>What participants read</source>
@@ -14888,7 +14888,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1, zu Bedingung %2</translation>
     </message>
     <message>
-        <source>Consent is missing. Nothing can be begun before it is recorded.</source>
+        <source>Consent is missing. Nothing can start before it is recorded.</source>
         <translation>Die Einwilligung fehlt. Bevor sie festgehalten ist, kann nichts begonnen werden.</translation>
     </message>
     <message>
@@ -15757,7 +15757,7 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
     <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
 
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
+Force is computed a thousand times per second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
 The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. Each check is kept in the audit trail, and its record can be saved and filed: who, when, on which device and build, and each measured value beside its limit.
 
@@ -16009,7 +16009,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
 
 &quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
 
-&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+&quot;Automatic backups&quot; makes one per day and keeps as many as you say; backups that you made yourself are never removed.
 
 &quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
 
@@ -16184,7 +16184,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
     </message>
     <message>
         <source>Start from a template and change it: a ranking of three, a staircase or constant stimuli.</source>
-        <translation>Beginnen Sie mit einer Vorlage und passen Sie sie an: Rangfolge von dreien, Treppe oder konstante Reize.</translation>
+        <translation>Beginnen Sie mit einer Vorlage und passen Sie sie an: Rangfolge von dreien, Treppenverfahren oder konstante Reize.</translation>
     </message>
     <message>
         <source>none</source>
@@ -16406,7 +16406,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
     <message>
         <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is missing where they cannot be compared.
+&quot;Group&quot; shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. &quot;Person&quot; shows the curve of a run with its data. &quot;Trials&quot; lists every presentation with its fidelity and says why one did not count. &quot;Questions&quot; summarises the questionnaires. &quot;Comparison&quot; sets the conditions beside each other, and says who or what is missing where they cannot be compared.
 
 You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
         <translation>Die Ergebnisse einer Studie.
@@ -16702,7 +16702,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Weiter: „%1“ berichtigen</translation>
     </message>
     <message>
-        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press Estimate the precision there to calculate it again.</source>
+        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press “Estimate the precision” there to calculate it again.</source>
         <translation>Die Simulation wurde abgebrochen, weil Sie ihre Seite verlassen haben, und nichts davon wurde behalten. Drücken Sie dort „Genauigkeit schätzen“, um sie neu zu rechnen.</translation>
     </message>
     <message>
@@ -16863,7 +16863,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
 
 %1
 
-Stop force switches the force off at once and stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+&quot;Stop force&quot; switches the force off at once and stops the clock. &quot;Re-arm&quot; brings the force back slowly. &quot;Pause&quot; keeps everything as it is. &quot;Start again&quot; keeps the attempt so far as stopped and begins a new one from the start.
 
 %2</source>
         <translation>Hier trainieren Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Jede Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
@@ -17932,7 +17932,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Count a session again</source>
-        <translation>Eine Sitzung wieder zählen</translation>
+        <translation>Eine Sitzung wieder gelten lassen</translation>
     </message>
     <message>
         <source>Count session %1 of %2 again?</source>
@@ -17956,7 +17956,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. If it was a mistake, the session can be counted again, with a reason of its own.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und der Grund werden mit ihr gespeichert. War es ein Versehen, kann die Sitzung mit einem eigenen Grund wieder gezählt werden.</translation>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und der Grund werden mit ihr gespeichert. War es ein Versehen, kann man die Sitzung mit einem eigenen Grund wieder gelten lassen.</translation>
     </message>
 </context>
 <context>
@@ -18675,15 +18675,15 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>%1 to %2 N: below the band</source>
-        <translation>%1 bis %2 N: unter dem Band</translation>
+        <translation>%1 bis %2 N: unter dem Bereich</translation>
     </message>
     <message>
         <source>%1 to %2 N: in the band</source>
-        <translation>%1 bis %2 N: im Band</translation>
+        <translation>%1 bis %2 N: im Bereich</translation>
     </message>
     <message>
         <source>%1 to %2 N: above the band</source>
-        <translation>%1 bis %2 N: über dem Band</translation>
+        <translation>%1 bis %2 N: über dem Bereich</translation>
     </message>
     <message>
         <source>over %1 N: too hard</source>

@@ -70,8 +70,8 @@ QString openValue(const RolledPerson& person) {
         said << (person.answers > 0 && person.answers < psychophysics::kFewTrials
                      ? Words::tr("Fewer than 20 answers rarely measure a threshold.")
                      : Words::tr("There are too few answers to measure the threshold."));
-        said << Words::tr("Copy the study and plan more trials: its page Expected precision shows with how "
-                          "many most runs give a value.");
+        said << Words::tr("Copy the study and plan more trials: its page “Expected precision” shows how many "
+                          "trials most runs need to give a value.");
         break;
     case Remedy::unusedDifferences:
         said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "

@@ -180,7 +180,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
             if (!each.closed)
                 return ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
             const QString closed =
-                ParticipantProgress::tr("“%1” can no longer be begun, because the study is "
+                ParticipantProgress::tr("“%1” can no longer be started, because the study is "
                                         "closed. The conditions that are done count.")
                     .arg(name(each));
             return isWaiting(study, row)

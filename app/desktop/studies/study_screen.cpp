@@ -470,7 +470,7 @@ void StudyScreen::showPage() {
 void StudyScreen::sayPreviewEnds() {
     if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
         context().messages().information(tr("The simulation was stopped because you left its page, and "
-                                            "nothing of it was kept. Press Estimate the precision there to "
+                                            "nothing of it was kept. Press “Estimate the precision” there to "
                                             "calculate it again."));
 }
 
