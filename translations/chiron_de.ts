@@ -2900,7 +2900,7 @@ Einzelheiten: %2</translation>
         <translation>Holen Sie die Studie aus dem Archiv zurück, bevor diese Person weitermacht.</translation>
     </message>
     <message>
-        <source>Record the consent. Then the first condition can be begun.</source>
+        <source>Record the consent. Then the first condition can begin.</source>
         <translation>Halten Sie die Einwilligung fest. Dann kann die erste Bedingung beginnen.</translation>
     </message>
     <message>
@@ -6529,7 +6529,7 @@ Einzelheiten: %2</translation>
         <translation>Es wurde noch nichts eingestellt; deshalb gibt es kein Ergebnis.</translation>
     </message>
     <message numerus="yes">
-        <source>With only %n setting(s), the scatter is very uncertain.</source>
+        <source>With only %n setting(s), the spread of the settings is very uncertain.</source>
         <translation>
             <numerusform>Nur %n Einstellung: Über die Streuung ist kaum etwas bekannt.</numerusform>
             <numerusform>Nur %n Einstellungen: Über die Streuung ist kaum etwas bekannt.</numerusform>
@@ -6761,7 +6761,7 @@ Einzelheiten: %2</translation>
         <translation>Der Gruppenwert umfasst %1 von %2 Teilnehmenden.</translation>
     </message>
     <message>
-        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <source>%1: this condition was not begun, and no run can be started any more because the study is closed.</source>
         <translation>%1: Diese Bedingung wurde nicht begonnen, und weil die Studie geschlossen ist, kann kein Lauf mehr beginnen.</translation>
     </message>
     <message>
@@ -9684,9 +9684,9 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press &quot;Start&quot; (or Enter) to begin. Choose another level, or a device, if you want. &quot;Demonstrate&quot; lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+&quot;Hand and workspace&quot; sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Hier sehen Sie, was eine Übung verlangt, was gemessen wird und wann sie bestanden ist.
 
 Alles ist schon gewählt: Drücken Sie „Starten“ (oder Enter), um zu beginnen. Wählen Sie auf Wunsch eine andere Stufe oder ein anderes Gerät. Bei „Vorführen“ sehen Sie einer programmierten Hand zu; deren Sitzung zählt für niemanden. Eine Datei mit einer aufgezeichneten Bewegung lässt sich in derselben Übung abspielen.
@@ -16088,7 +16088,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
         <translation>%1 schließen?</translation>
     </message>
     <message>
-        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <source>No more participants can be enrolled and no more runs started; open runs can still be finished. This cannot be undone.</source>
         <translation>Es können keine Personen mehr aufgenommen und keine Läufe mehr begonnen werden; offene lassen sich noch beenden. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
@@ -16678,12 +16678,12 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+        <source>One study. While it is a draft, you can change everything. Go through the pages with &quot;Next&quot; and &quot;Back&quot;, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and a message under a field says what is wrong with it. Beside the pages you see what a participant will see.
 
-Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit Weiter und Zurück durch, oder springen Sie über ihren Namen zu einer. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten steht, was Teilnehmende erwartet.
+&quot;Conditions&quot; defines what is compared, with which task and procedure. &quot;Expected precision&quot; runs the study with simulated observers and shows the expected precision, number of trials and time. &quot;Check and freeze&quot; says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit „Weiter“ und „Zurück“ durch, oder wählen Sie eine Seite über ihren Namen. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten sehen Sie, was Teilnehmende sehen werden.
 
-Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. Erwartete Genauigkeit lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. Prüfen und einfrieren sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
+„Bedingungen“ legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. „Erwartete Genauigkeit“ lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. „Prüfen und einfrieren“ sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
     </message>
     <message>
         <source>Expected precision</source>
@@ -17458,7 +17458,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Der letzte Durchgang zählte nicht. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
+        <source>The clock is stopped and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung zu beenden.</translation>
     </message>
     <message>
@@ -17573,7 +17573,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Weiter (R)</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <source>The clock is stopped and everything so far is kept. Press Continue to go on.</source>
         <translation>Die Uhr steht, und alles Bisherige bleibt erhalten. Drücken Sie „Weiter“, um weiterzumachen.</translation>
     </message>
     <message>
@@ -18000,7 +18000,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Was nicht mehr zählt: die Antworten dieser Person, auch die abgeschlossener Läufe. Sie gehen in Gruppenwerte und Vergleiche nicht ein.</translation>
     </message>
     <message>
-        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <source>What ends: an open run cannot be resumed, and no other can be started. The place in the order of conditions is free for the next participant.</source>
         <translation>Was endet: Ein offener Lauf kann nicht fortgesetzt und kein weiterer begonnen werden. Der Platz in der Reihenfolge der Bedingungen wird für die nächste Person frei.</translation>
     </message>
     <message>

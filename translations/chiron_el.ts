@@ -2900,7 +2900,7 @@ Details: %2</source>
         <translation>Επαναφέρετε τη μελέτη από το αρχείο πριν συνεχίσει αυτός ο συμμετέχων.</translation>
     </message>
     <message>
-        <source>Record the consent. Then the first condition can be begun.</source>
+        <source>Record the consent. Then the first condition can begin.</source>
         <translation>Καταγράψτε τη συγκατάθεση. Έπειτα μπορεί να ξεκινήσει η πρώτη συνθήκη.</translation>
     </message>
     <message>
@@ -6529,7 +6529,7 @@ Details: %2</source>
         <translation>Δεν έχει ρυθμιστεί ακόμη τίποτα, οπότε δεν υπάρχει αποτέλεσμα.</translation>
     </message>
     <message numerus="yes">
-        <source>With only %n setting(s), the scatter is very uncertain.</source>
+        <source>With only %n setting(s), the spread of the settings is very uncertain.</source>
         <translation>
             <numerusform>Μόνο %n ρύθμιση: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
             <numerusform>Μόνο %n ρυθμίσεις: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
@@ -6761,7 +6761,7 @@ Details: %2</source>
         <translation>Η τιμή της ομάδας περιλαμβάνει %1 από %2 συμμετέχοντες.</translation>
     </message>
     <message>
-        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <source>%1: this condition was not begun, and no run can be started any more because the study is closed.</source>
         <translation>%1: αυτή η συνθήκη δεν ξεκίνησε, και καμία εκτέλεση δεν μπορεί πια να ξεκινήσει, επειδή η μελέτη έχει κλείσει.</translation>
     </message>
     <message>
@@ -9684,9 +9684,9 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press &quot;Start&quot; (or Enter) to begin. Choose another level, or a device, if you want. &quot;Demonstrate&quot; lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+&quot;Hand and workspace&quot; sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Εδώ βλέπετε τι ζητά μια άσκηση, τι μετράται και πότε υπάρχει επιτυχία.
 
 Όλα είναι ήδη επιλεγμένα: πατήστε «Έναρξη» (ή Enter) για να ξεκινήσετε. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν εικονικό χειριστή· η συνεδρία του δεν μετράει για κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
@@ -16088,7 +16088,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Κλείσιμο: %1;</translation>
     </message>
     <message>
-        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <source>No more participants can be enrolled and no more runs started; open runs can still be finished. This cannot be undone.</source>
         <translation>Δεν εγγράφονται άλλοι συμμετέχοντες και δεν αρχίζουν άλλες εκτελέσεις· οι ανοικτές μπορούν να τελειώσουν. Δεν αναιρείται.</translation>
     </message>
     <message>
@@ -16678,12 +16678,12 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+        <source>One study. While it is a draft, you can change everything. Go through the pages with &quot;Next&quot; and &quot;Back&quot;, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and a message under a field says what is wrong with it. Beside the pages you see what a participant will see.
 
-Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με Επόμενο και Πίσω ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
+&quot;Conditions&quot; defines what is compared, with which task and procedure. &quot;Expected precision&quot; runs the study with simulated observers and shows the expected precision, number of trials and time. &quot;Check and freeze&quot; says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με «Επόμενο» και «Πίσω» ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
 
-Οι Συνθήκες ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Αναμενόμενη ακρίβεια εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο Έλεγχος και οριστικοποίηση λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
+Οι «Συνθήκες» ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η «Αναμενόμενη ακρίβεια» εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο «Έλεγχος και οριστικοποίηση» λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
     </message>
     <message>
         <source>Expected precision</source>
@@ -17458,7 +17458,7 @@ Conditions defines what is compared, with which task and procedure. Expected pre
         <translation>Η τελευταία δοκιμή δεν μέτρησε. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
+        <source>The clock is stopped and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
     <message>
@@ -17573,7 +17573,7 @@ Conditions defines what is compared, with which task and procedure. Expected pre
         <translation>Συνέχεια (R)</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <source>The clock is stopped and everything so far is kept. Press Continue to go on.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Συνέχεια» για να συνεχίσετε.</translation>
     </message>
     <message>
@@ -18000,7 +18000,7 @@ Conditions defines what is compared, with which task and procedure. Expected pre
         <translation>Τι δεν μετρά πια: οι απαντήσεις αυτού του ατόμου, και των ολοκληρωμένων εκτελέσεων. Δεν περιλαμβάνονται στις τιμές ομάδας και στις συγκρίσεις.</translation>
     </message>
     <message>
-        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <source>What ends: an open run cannot be resumed, and no other can be started. The place in the order of conditions is free for the next participant.</source>
         <translation>Τι τελειώνει: μια ανοιχτή εκτέλεση δεν μπορεί να συνεχιστεί, και καμία άλλη δεν μπορεί να αρχίσει. Η θέση στη σειρά των συνθηκών ελευθερώνεται για το επόμενο άτομο.</translation>
     </message>
     <message>

@@ -97,7 +97,7 @@ QString openValue(const RolledPerson& person) {
 QString reason(const RolledPerson& person, bool closed) {
     switch (person.presence) {
     case Presence::notBegun:
-        return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more "
+        return closed ? Words::tr("%1: this condition was not begun, and no run can be started any more "
                                   "because the study is closed.")
                       : Words::tr("%1: this condition has not been begun. Begin it under Run.");
     case Presence::noAnswers:

@@ -162,7 +162,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
         return ParticipantProgress::tr(
             "Bring the study back from the archive before this participant goes on.");
     if (row.participant.state == ParticipantState::enrolled)
-        return ParticipantProgress::tr("Record the consent. Then the first condition can be begun.");
+        return ParticipantProgress::tr("Record the consent. Then the first condition can begin.");
     const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
     const auto name = [&](const ConditionProgress& each) {
         return conditionName(study, each.label, language);
