@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.</source>
-        <translation>Das leichteste Objekt wiegt nur %1 N, sodass es angehoben nicht als berührt gälte. Wählen Sie eine kleinere Kraft.</translation>
+        <translation>Das leichteste Objekt wiegt nur %1 N; es anzuheben würde deshalb nicht als Berührung zählen. Wählen Sie eine kleinere Kraft.</translation>
     </message>
     <message>
         <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
@@ -1091,7 +1091,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>About %1 minutes for each participant, as simulated.</source>
-        <translation>Simuliert etwa %1 Minuten je Person.</translation>
+        <translation>In der Simulation etwa %1 Minuten je Person.</translation>
     </message>
     <message>
         <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
@@ -1157,7 +1157,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>It is switched off. Participants may hear the device, and its sound may tell them which object is which.</source>
-        <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät, und was sie hören, kann Objekte unterscheidbar machen.</translation>
+        <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät und könnten die Objekte am Geräusch unterscheiden.</translation>
     </message>
     <message>
         <source>It is played during the trials.</source>
@@ -1192,7 +1192,7 @@ Einzelheiten: %2</translation>
         <translation>Das Gerät dieses Arbeitsplatzes gibt Kraft aus.</translation>
     </message>
     <message>
-        <source>More trials make it more precise; the page Expected precision shows how many.</source>
+        <source>More trials make it more precise; the page “Expected precision” shows how many.</source>
         <translation>Mehr Durchgänge machen es genauer; die Seite „Erwartete Genauigkeit“ zeigt, wie viele.</translation>
     </message>
     <message>
@@ -2387,7 +2387,7 @@ Einzelheiten: %2</translation>
         <translation>Zeit im Kraftbereich</translation>
     </message>
     <message>
-        <source>How much of the pressing time the force was neither too low nor too high.</source>
+        <source>During how much of the pressing time the force was neither too low nor too high.</source>
         <translation>In welchem Teil der Druckzeit die Kraft weder zu gering noch zu groß war.</translation>
     </message>
     <message>
@@ -2491,8 +2491,8 @@ Einzelheiten: %2</translation>
         <translation>Scheitelfehler</translation>
     </message>
     <message>
-        <source>How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.</source>
-        <translation>Wie weit die Markierung vom höchsten Punkt entfernt war, in % des Radius, im Durchschnitt aus links–rechts und vorn–hinten.</translation>
+        <source>How far the mark lay from the highest point, in % of the radius, averaged over left–right and front–back.</source>
+        <translation>Wie weit die Markierung vom höchsten Punkt entfernt war, in % des Radius, gemittelt über die Richtungen links–rechts und vorn–hinten.</translation>
     </message>
     <message>
         <source>Largest misalignment</source>
@@ -2785,7 +2785,7 @@ Einzelheiten: %2</translation>
         <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s je Durchgang</translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@ Einzelheiten: %2</translation>
         <translation>Holen Sie die Studie aus dem Archiv zurück, bevor diese Person weitermacht.</translation>
     </message>
     <message>
-        <source>Record the consent. Then the first condition can be begun.</source>
+        <source>Record the consent. Then the first condition can begin.</source>
         <translation>Halten Sie die Einwilligung fest. Dann kann die erste Bedingung beginnen.</translation>
     </message>
     <message>
@@ -2928,7 +2928,7 @@ Einzelheiten: %2</translation>
         <translation>Drücken Sie „Durchführen“ und setzen Sie „%1“ bei dem Durchgang fort, bei dem unterbrochen wurde. Kommt diese Person nicht wieder, ziehen Sie ihre Teilnahme zurück: Was sie getan hat, bleibt erhalten.</translation>
     </message>
     <message>
-        <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
+        <source>“%1” can no longer be started, because the study is closed. The conditions that are done count.</source>
         <translation>„%1“ kann nicht mehr beginnen, weil die Studie geschlossen ist. Die erledigten Bedingungen zählen.</translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
-        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; eine flüchtige Berührung genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; eine flüchtige Berührung genügt nicht, und der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
@@ -3200,7 +3200,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Pull every object before you answer; the screen says when more force is needed.</source>
-        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Ziehen Sie an jedem Objekt, bevor Sie antworten; der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>Pull every object before you answer.</source>
@@ -3208,7 +3208,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Explore every object before you answer; the screen says when more force is needed.</source>
-        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten; der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
+        <translation>Erkunden Sie jedes Objekt, bevor Sie antworten; der Bildschirm zeigt an, wenn mehr Kraft nötig ist.</translation>
     </message>
     <message>
         <source>Explore every object before you answer.</source>
@@ -3873,7 +3873,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
-        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied bekannt ist (eine Standardabweichung).</translation>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied genau bekannt ist (eine Standardabweichung).</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
@@ -5783,7 +5783,7 @@ Einzelheiten: %2</translation>
         <translation>Zum Absetzen drehen Sie das Rad zu sich hin oder halten Sie Bild ab, bis das Objekt auf dem Tisch steht, und noch mindestens %1 mm weiter. Heben Sie dann das Instrument: Das Objekt bleibt stehen.</translation>
     </message>
     <message>
-        <source>To put the object down, lower it onto the table and press it on with at least %1 N. Then raise the handle: the object stays there.</source>
+        <source>To put the object down, lower it onto the table and press it down with at least %1 N. Then raise the handle: the object stays there.</source>
         <translation>Zum Absetzen senken Sie das Objekt auf den Tisch und drücken Sie es mit mindestens %1 N an. Heben Sie dann den Griff: Das Objekt bleibt stehen.</translation>
     </message>
     <message>
@@ -6549,7 +6549,7 @@ Einzelheiten: %2</translation>
         <translation>Es wurde noch nichts eingestellt; deshalb gibt es kein Ergebnis.</translation>
     </message>
     <message numerus="yes">
-        <source>With only %n setting(s), the scatter is very uncertain.</source>
+        <source>With only %n setting(s), the spread of the settings is very uncertain.</source>
         <translation>
             <numerusform>Nur %n Einstellung: Über die Streuung ist kaum etwas bekannt.</numerusform>
             <numerusform>Nur %n Einstellungen: Über die Streuung ist kaum etwas bekannt.</numerusform>
@@ -6781,7 +6781,7 @@ Einzelheiten: %2</translation>
         <translation>Der Gruppenwert umfasst %1 von %2 Teilnehmenden.</translation>
     </message>
     <message>
-        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <source>%1: this condition was not begun, and no run can be started any more because the study is closed.</source>
         <translation>%1: Diese Bedingung wurde nicht begonnen, und weil die Studie geschlossen ist, kann kein Lauf mehr beginnen.</translation>
     </message>
     <message>
@@ -7104,11 +7104,11 @@ Einzelheiten: %2</translation>
         <translation>Um die Schwelle zu messen, sind es zu wenige Antworten.</translation>
     </message>
     <message>
-        <source>Copy the study and plan more trials: its page Expected precision shows with how many most runs give a value.</source>
+        <source>Copy the study and plan more trials: its page “Expected precision” shows how many trials most runs need to give a value.</source>
         <translation>Kopieren Sie die Studie und planen Sie mehr Durchgänge: Ihre Seite „Erwartete Genauigkeit“ zeigt, mit wie vielen die meisten Läufe einen Wert ergeben.</translation>
     </message>
     <message>
-        <source>How many participants are needed cannot be told from so few: the page Expected precision of the study tells it for the planned trials.</source>
+        <source>So few participants cannot show how many are needed: the study&apos;s page “Expected precision” shows it for the planned trials.</source>
         <translation>Wie viele Teilnehmende nötig sind, lässt sich aus so wenigen nicht sagen: Die Seite „Erwartete Genauigkeit“ der Studie sagt es für die geplanten Durchgänge.</translation>
     </message>
     <message>
@@ -7120,11 +7120,11 @@ Einzelheiten: %2</translation>
         <translation>etwa %1</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Streuen andere wie diese, so braucht es %1 Personen in beiden Bedingungen, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Streuen andere wie diese, so braucht es %1 Personen in jeder Gruppe, um mit 80 % Teststärke einen Weber-Bruch nachzuweisen, der das %2-Fache des anderen ist.</translation>
     </message>
     <message>
@@ -7797,7 +7797,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>%1 What was recorded is kept and can be played back. The session does not count towards passing; try again when you are ready.</source>
-        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
+        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
     </message>
     <message>
         <source>Interrupted</source>
@@ -7814,8 +7814,8 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</source>
         <translation>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht für das Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
         </translation>
     </message>
     <message>
@@ -7824,7 +7824,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The device or the force supervisor stopped this session for safety. %1 What was recorded is kept. The session does not count towards passing; check the device before the next attempt.</source>
-        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung aus Sicherheitsgründen gestoppt. %1 Aufgezeichnetes bleibt erhalten. Die Sitzung zählt nicht fürs Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
+        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung aus Sicherheitsgründen gestoppt. %1 Aufgezeichnetes bleibt erhalten. Die Sitzung zählt nicht für das Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
     </message>
     <message>
         <source>Still running</source>
@@ -8494,7 +8494,7 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         </translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s je Durchgang</translation>
     </message>
     <message>
@@ -8978,7 +8978,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Festgehalten werden der Zeitpunkt und eine Prüfsumme (SHA-256), die zeigt, welchen Text Sie gelesen haben. Sie können Ihre Teilnahme jederzeit beenden.</translation>
     </message>
     <message>
-        <source>Tick the box first, once the participant agrees.</source>
+        <source>Once the participant agrees, tick the box first.</source>
         <translation>Setzen Sie zuerst das Häkchen, sobald die Person zustimmt.</translation>
     </message>
 </context>
@@ -9492,8 +9492,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Anmeldename, falls die Person hier ein Konto hat (optional)</translation>
     </message>
     <message>
-        <source>With it, an export or an erasure of this person&apos;s data also reaches what they do in this study. It is kept only in the key table; no list and no export of the study shows it.</source>
-        <translation>Damit erfasst ein Export oder eine Löschung der Daten dieser Person auch, was sie in dieser Studie tut. Der Name steht nur in der Schlüsseltabelle; keine Liste und kein Export der Studie zeigt ihn.</translation>
+        <source>With the login name, an export or erasure of this person&apos;s data also covers what they do in this study. The name is kept only in the key table; no list and no export of the study shows it.</source>
+        <translation>Mit dem Anmeldenamen erfasst ein Export oder eine Löschung der Daten dieser Person auch, was sie in dieser Studie tut. Der Name steht nur in der Schlüsseltabelle; keine Liste und kein Export der Studie zeigt ihn.</translation>
     </message>
     <message>
         <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
@@ -9704,9 +9704,9 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press &quot;Start&quot; (or Enter) to begin. Choose another level, or a device, if you want. &quot;Demonstrate&quot; lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+&quot;Hand and workspace&quot; sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Hier sehen Sie, was eine Übung verlangt, was gemessen wird und wann sie bestanden ist.
 
 Alles ist schon gewählt: Drücken Sie „Starten“ (oder Enter), um zu beginnen. Wählen Sie auf Wunsch eine andere Stufe oder ein anderes Gerät. Bei „Vorführen“ sehen Sie einer programmierten Hand zu; deren Sitzung zählt für niemanden. Eine Datei mit einer aufgezeichneten Bewegung lässt sich in derselben Übung abspielen.
@@ -10181,8 +10181,8 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Eingefroren. Jetzt können Personen aufgenommen werden.</translation>
     </message>
     <message>
-        <source>I have seen what is worth a look and freeze it all the same</source>
-        <translation>Ich habe gesehen, was einen Blick wert ist, und friere trotzdem ein</translation>
+        <source>I have seen the points that are worth a look and freeze the design anyway</source>
+        <translation>Ich habe die Punkte gesehen, die einen Blick wert sind, und friere den Entwurf trotzdem ein</translation>
     </message>
     <message>
         <source>What is marked in red must be corrected first: after freezing, nobody can change it.</source>
@@ -10252,7 +10252,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Ziel und Ethik</translation>
     </message>
     <message>
-        <source>How many people are to take part; the page Expected precision shows which difference this number can detect.</source>
+        <source>How many people are to take part; the page “Expected precision” shows which difference this number can detect.</source>
         <translation>Wie viele Personen teilnehmen sollen; die Seite „Erwartete Genauigkeit“ zeigt, welchen Unterschied diese Anzahl nachweisen kann.</translation>
     </message>
     <message>
@@ -12834,8 +12834,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Anteil ihrer unachtsamen Antworten.</translation>
     </message>
     <message>
-        <source>They call smaller differences equal; in standard deviations of what they feel.</source>
-        <translation>Kleinere Unterschiede nennen sie gleich; in Standardabweichungen dessen, was sie spüren.</translation>
+        <source>Simulated observers call smaller differences equal; in standard deviations of what they feel.</source>
+        <translation>Kleinere Unterschiede nennen simulierte Beobachter gleich; in Standardabweichungen dessen, was sie spüren.</translation>
     </message>
     <message>
         <source>More runs take longer and give more precise figures.</source>
@@ -14607,7 +14607,7 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Jedes Objekt berühren</translation>
     </message>
     <message>
-        <source>An answer is taken only once each object was touched.</source>
+        <source>An answer is accepted only once each object has been touched.</source>
         <translation>Eine Antwort zählt erst, wenn jedes Objekt berührt wurde.</translation>
     </message>
     <message>
@@ -14623,8 +14623,8 @@ Enter oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schr
         <translation>Was zu tun ist und wie das Instrument zu halten ist. Lassen Sie Zeit, Durchgänge, Rückmeldung und Pausen weg: Diese Sätze entstehen aus den Einstellungen und passen immer zu ihnen.</translation>
     </message>
     <message>
-        <source>These instructions were written before sentences were made from the settings. Remove what those say now.</source>
-        <translation>Diese Anleitung entstand, bevor Sätze aus den Einstellungen gebildet wurden. Entfernen Sie, was diese jetzt sagen.</translation>
+        <source>These instructions were written before the program made sentences from the settings. Remove what those sentences now say.</source>
+        <translation>Diese Anleitung entstand, bevor das Programm Sätze aus den Einstellungen bildete. Entfernen Sie, was diese Sätze jetzt sagen.</translation>
     </message>
     <message>
         <source>What participants read</source>
@@ -14912,7 +14912,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1, zu Bedingung %2</translation>
     </message>
     <message>
-        <source>Consent is missing. Nothing can be begun before it is recorded.</source>
+        <source>Consent is missing. Nothing can start before it is recorded.</source>
         <translation>Die Einwilligung fehlt. Bevor sie festgehalten ist, kann nichts begonnen werden.</translation>
     </message>
     <message>
@@ -15781,7 +15781,7 @@ Die Administration gibt hier auch dem Standort seinen Namen.</translation>
     <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
 
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
+Force is computed a thousand times per second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
 The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. Each check is kept in the audit trail, and its record can be saved and filed: who, when, on which device and build, and each measured value beside its limit.
 
@@ -16033,7 +16033,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
 
 &quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
 
-&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+&quot;Automatic backups&quot; makes one per day and keeps as many as you say; backups that you made yourself are never removed.
 
 &quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
 
@@ -16112,7 +16112,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
         <translation>%1 schließen?</translation>
     </message>
     <message>
-        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <source>No more participants can be enrolled and no more runs started; open runs can still be finished. This cannot be undone.</source>
         <translation>Es können keine Personen mehr aufgenommen und keine Läufe mehr begonnen werden; offene lassen sich noch beenden. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
@@ -16208,7 +16208,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
     </message>
     <message>
         <source>Start from a template and change it: a ranking of three, a staircase or constant stimuli.</source>
-        <translation>Beginnen Sie mit einer Vorlage und passen Sie sie an: Rangfolge von dreien, Treppe oder konstante Reize.</translation>
+        <translation>Beginnen Sie mit einer Vorlage und passen Sie sie an: Rangfolge von dreien, Treppenverfahren oder konstante Reize.</translation>
     </message>
     <message>
         <source>none</source>
@@ -16430,7 +16430,7 @@ Mit Echtzeitpriorität bleibt die Kraftregelung pünktlich, was immer der Comput
     <message>
         <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is missing where they cannot be compared.
+&quot;Group&quot; shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. &quot;Person&quot; shows the curve of a run with its data. &quot;Trials&quot; lists every presentation with its fidelity and says why one did not count. &quot;Questions&quot; summarises the questionnaires. &quot;Comparison&quot; sets the conditions beside each other, and says who or what is missing where they cannot be compared.
 
 You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
         <translation>Die Ergebnisse einer Studie.
@@ -16702,12 +16702,12 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+        <source>One study. While it is a draft, you can change everything. Go through the pages with &quot;Next&quot; and &quot;Back&quot;, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and a message under a field says what is wrong with it. Beside the pages you see what a participant will see.
 
-Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit Weiter und Zurück durch, oder springen Sie über ihren Namen zu einer. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten steht, was Teilnehmende erwartet.
+&quot;Conditions&quot; defines what is compared, with which task and procedure. &quot;Expected precision&quot; runs the study with simulated observers and shows the expected precision, number of trials and time. &quot;Check and freeze&quot; says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit „Weiter“ und „Zurück“ durch, oder wählen Sie eine Seite über ihren Namen. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten sehen Sie, was Teilnehmende sehen werden.
 
-Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. Erwartete Genauigkeit lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. Prüfen und einfrieren sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
+„Bedingungen“ legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. „Erwartete Genauigkeit“ lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. „Prüfen und einfrieren“ sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
     </message>
     <message>
         <source>Expected precision</source>
@@ -16726,7 +16726,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
         <translation>Weiter: „%1“ berichtigen</translation>
     </message>
     <message>
-        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press Estimate the precision there to calculate it again.</source>
+        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press “Estimate the precision” there to calculate it again.</source>
         <translation>Die Simulation wurde abgebrochen, weil Sie ihre Seite verlassen haben, und nichts davon wurde behalten. Drücken Sie dort „Genauigkeit schätzen“, um sie neu zu rechnen.</translation>
     </message>
     <message>
@@ -16887,7 +16887,7 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
 
 %1
 
-Stop force switches the force off at once and stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+&quot;Stop force&quot; switches the force off at once and stops the clock. &quot;Re-arm&quot; brings the force back slowly. &quot;Pause&quot; keeps everything as it is. &quot;Start again&quot; keeps the attempt so far as stopped and begins a new one from the start.
 
 %2</source>
         <translation>Hier trainieren Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Jede Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
@@ -17490,7 +17490,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Der letzte Durchgang zählte nicht. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
+        <source>The clock is stopped and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung zu beenden.</translation>
     </message>
     <message>
@@ -17605,7 +17605,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Weiter (R)</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <source>The clock is stopped and everything so far is kept. Press Continue to go on.</source>
         <translation>Die Uhr steht, und alles Bisherige bleibt erhalten. Drücken Sie „Weiter“, um weiterzumachen.</translation>
     </message>
     <message>
@@ -17964,7 +17964,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Count a session again</source>
-        <translation>Eine Sitzung wieder zählen</translation>
+        <translation>Eine Sitzung wieder gelten lassen</translation>
     </message>
     <message>
         <source>Count session %1 of %2 again?</source>
@@ -17988,7 +17988,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. If it was a mistake, the session can be counted again, with a reason of its own.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und der Grund werden mit ihr gespeichert. War es ein Versehen, kann die Sitzung mit einem eigenen Grund wieder gezählt werden.</translation>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und der Grund werden mit ihr gespeichert. War es ein Versehen, kann man die Sitzung mit einem eigenen Grund wieder gelten lassen.</translation>
     </message>
 </context>
 <context>
@@ -18032,7 +18032,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Was nicht mehr zählt: die Antworten dieser Person, auch die abgeschlossener Läufe. Sie gehen in Gruppenwerte und Vergleiche nicht ein.</translation>
     </message>
     <message>
-        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <source>What ends: an open run cannot be resumed, and no other can be started. The place in the order of conditions is free for the next participant.</source>
         <translation>Was endet: Ein offener Lauf kann nicht fortgesetzt und kein weiterer begonnen werden. Der Platz in der Reihenfolge der Bedingungen wird für die nächste Person frei.</translation>
     </message>
     <message>
@@ -18707,15 +18707,15 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>%1 to %2 N: below the band</source>
-        <translation>%1 bis %2 N: unter dem Band</translation>
+        <translation>%1 bis %2 N: unter dem Bereich</translation>
     </message>
     <message>
         <source>%1 to %2 N: in the band</source>
-        <translation>%1 bis %2 N: im Band</translation>
+        <translation>%1 bis %2 N: im Bereich</translation>
     </message>
     <message>
         <source>%1 to %2 N: above the band</source>
-        <translation>%1 bis %2 N: über dem Band</translation>
+        <translation>%1 bis %2 N: über dem Bereich</translation>
     </message>
     <message>
         <source>over %1 N: too hard</source>

@@ -869,7 +869,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The safety supervisor switched the force off.</source>
-        <translation>Ο επόπτης ασφαλείας διέκοψε τη δύναμη.</translation>
+        <translation>Ο επόπτης δύναμης διέκοψε τη δύναμη.</translation>
     </message>
     <message>
         <source>The tool moved faster than is safe, so force was switched off.</source>
@@ -1157,7 +1157,7 @@ Details: %2</source>
     </message>
     <message>
         <source>It is switched off. Participants may hear the device, and its sound may tell them which object is which.</source>
-        <translation>Είναι απενεργοποιημένος. Οι συμμετέχοντες ίσως ακούν τη συσκευή, και όσα ακούν μπορεί να ξεχωρίζουν τα αντικείμενα.</translation>
+        <translation>Είναι απενεργοποιημένος. Οι συμμετέχοντες ίσως ακούν τη συσκευή, και ο ήχος της μπορεί να προδίδει ποιο αντικείμενο είναι ποιο.</translation>
     </message>
     <message>
         <source>It is played during the trials.</source>
@@ -1192,7 +1192,7 @@ Details: %2</source>
         <translation>Η συσκευή αυτού του σταθμού αποδίδει δύναμη.</translation>
     </message>
     <message>
-        <source>More trials make it more precise; the page Expected precision shows how many.</source>
+        <source>More trials make it more precise; the page “Expected precision” shows how many.</source>
         <translation>Περισσότερες δοκιμές το κάνουν ακριβέστερο· η σελίδα «Αναμενόμενη ακρίβεια» δείχνει πόσες.</translation>
     </message>
     <message>
@@ -2387,7 +2387,7 @@ Details: %2</source>
         <translation>Χρόνος στη ζώνη δύναμης</translation>
     </message>
     <message>
-        <source>How much of the pressing time the force was neither too low nor too high.</source>
+        <source>During how much of the pressing time the force was neither too low nor too high.</source>
         <translation>Σε πόσο μέρος του χρόνου πίεσης η δύναμη δεν ήταν ούτε πολύ μικρή ούτε πολύ μεγάλη.</translation>
     </message>
     <message>
@@ -2491,8 +2491,8 @@ Details: %2</source>
         <translation>Σφάλμα κορυφής</translation>
     </message>
     <message>
-        <source>How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.</source>
-        <translation>Πόσο απείχε το σημείο από την κορυφή, σε % της ακτίνας, κατά μέσο όρο αριστερά–δεξιά και εμπρός–πίσω.</translation>
+        <source>How far the mark lay from the highest point, in % of the radius, averaged over left–right and front–back.</source>
+        <translation>Πόσο απείχε το σημείο από την κορυφή, σε % της ακτίνας, κατά μέσο όρο στις διευθύνσεις αριστερά–δεξιά και εμπρός–πίσω.</translation>
     </message>
     <message>
         <source>Largest misalignment</source>
@@ -2785,7 +2785,7 @@ Details: %2</source>
         <translation>χωρίς όριο</translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s ανά δοκιμή</translation>
     </message>
     <message>
@@ -2920,7 +2920,7 @@ Details: %2</source>
         <translation>Επαναφέρετε τη μελέτη από το αρχείο πριν συνεχίσει αυτός ο συμμετέχων.</translation>
     </message>
     <message>
-        <source>Record the consent. Then the first condition can be begun.</source>
+        <source>Record the consent. Then the first condition can begin.</source>
         <translation>Καταγράψτε τη συγκατάθεση. Έπειτα μπορεί να ξεκινήσει η πρώτη συνθήκη.</translation>
     </message>
     <message>
@@ -2928,7 +2928,7 @@ Details: %2</source>
         <translation>Πατήστε «Διεξαγωγή» και συνεχίστε τη συνθήκη «%1» από τη δοκιμή όπου σταμάτησε. Αν ο συμμετέχων δεν επιστρέψει, αποσύρετέ τον: όσα έκανε διατηρούνται.</translation>
     </message>
     <message>
-        <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
+        <source>“%1” can no longer be started, because the study is closed. The conditions that are done count.</source>
         <translation>Η συνθήκη «%1» δεν μπορεί πια να ξεκινήσει, επειδή η μελέτη έχει κλείσει. Οι συνθήκες που ολοκληρώθηκαν μετρούν.</translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
-        <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε· ένα ελαφρύ άγγιγμα δεν αρκεί, και η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+        <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε· ένα ελαφρύ άγγιγμα δεν αρκεί, και η οθόνη δείχνει πότε χρειάζεται περισσότερη δύναμη.</translation>
     </message>
     <message>
         <source>In each trial you search for the highest point of an object with the tip and mark it.</source>
@@ -3200,7 +3200,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Pull every object before you answer; the screen says when more force is needed.</source>
-        <translation>Τραβήξτε κάθε αντικείμενο πριν απαντήσετε· η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+        <translation>Τραβήξτε κάθε αντικείμενο πριν απαντήσετε· η οθόνη δείχνει πότε χρειάζεται περισσότερη δύναμη.</translation>
     </message>
     <message>
         <source>Pull every object before you answer.</source>
@@ -3208,7 +3208,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Explore every object before you answer; the screen says when more force is needed.</source>
-        <translation>Εξερευνήστε κάθε αντικείμενο πριν απαντήσετε· η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
+        <translation>Εξερευνήστε κάθε αντικείμενο πριν απαντήσετε· η οθόνη δείχνει πότε χρειάζεται περισσότερη δύναμη.</translation>
     </message>
     <message>
         <source>Explore every object before you answer.</source>
@@ -3873,7 +3873,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
-        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτή τη διαφορά (μία τυπική απόκλιση).</translation>
+        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με ακρίβεια αυτής της διαφοράς (μία τυπική απόκλιση).</translation>
     </message>
     <message>
         <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
@@ -5324,7 +5324,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Lateness, the latest tick</source>
-        <translation>Καθυστέρηση, ο πιο αργός κύκλος</translation>
+        <translation>Καθυστέρηση, ο πιο καθυστερημένος κύκλος</translation>
     </message>
     <message>
         <source>yes</source>
@@ -5438,7 +5438,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were skipped.</source>
-        <translation>%1 κύκλοι του 1 ms. Οι μισοί άρχισαν μέσα σε %2 µs, 99 στους 100 μέσα σε %3 µs, ο πιο αργός μετά από %4 µs. %5 καθυστέρησαν πάνω από 100 µs, %6 παραλείφθηκαν.</translation>
+        <translation>%1 κύκλοι του 1 ms. Οι μισοί άρχισαν μέσα σε %2 µs, 99 στους 100 μέσα σε %3 µs, ο πιο καθυστερημένος μετά από %4 µs. %5 καθυστέρησαν πάνω από 100 µs, %6 παραλείφθηκαν.</translation>
     </message>
     <message numerus="yes">
         <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
@@ -5664,7 +5664,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Put down and let go</source>
-        <translation>Απόθεση και άφημα</translation>
+        <translation>Απόθεση και απελευθέρωση</translation>
     </message>
     <message>
         <source>To pull, roll the wheel away from you, or hold Page Up.</source>
@@ -5783,7 +5783,7 @@ Details: %2</source>
         <translation>Για να αφήσετε το αντικείμενο, γυρίστε τον τροχό προς τα πίσω ή κρατήστε το Page Down, ώσπου το αντικείμενο να σταθεί στο τραπέζι και τουλάχιστον %1 mm ακόμη. Ύστερα σηκώστε το εργαλείο: το αντικείμενο μένει εκεί.</translation>
     </message>
     <message>
-        <source>To put the object down, lower it onto the table and press it on with at least %1 N. Then raise the handle: the object stays there.</source>
+        <source>To put the object down, lower it onto the table and press it down with at least %1 N. Then raise the handle: the object stays there.</source>
         <translation>Για να αφήσετε το αντικείμενο, κατεβάστε το στο τραπέζι και πιέστε το με τουλάχιστον %1 N. Ύστερα σηκώστε τη λαβή: το αντικείμενο μένει εκεί.</translation>
     </message>
     <message>
@@ -5817,7 +5817,7 @@ Details: %2</source>
     </message>
     <message>
         <source>DEMONSTRATION: invented people and results</source>
-        <translation>ΕΠΙΔΕΙΞΗ: επινοημένα πρόσωπα και αποτελέσματα</translation>
+        <translation>ΕΠΙΔΕΙΞΗ: φανταστικά πρόσωπα και αποτελέσματα</translation>
     </message>
     <message numerus="yes">
         <source>SIMULATED: %n participant(s) are programs, not people</source>
@@ -6549,7 +6549,7 @@ Details: %2</source>
         <translation>Δεν έχει ρυθμιστεί ακόμη τίποτα, οπότε δεν υπάρχει αποτέλεσμα.</translation>
     </message>
     <message numerus="yes">
-        <source>With only %n setting(s), the scatter is very uncertain.</source>
+        <source>With only %n setting(s), the spread of the settings is very uncertain.</source>
         <translation>
             <numerusform>Μόνο %n ρύθμιση: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
             <numerusform>Μόνο %n ρυθμίσεις: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
@@ -6781,7 +6781,7 @@ Details: %2</source>
         <translation>Η τιμή της ομάδας περιλαμβάνει %1 από %2 συμμετέχοντες.</translation>
     </message>
     <message>
-        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <source>%1: this condition was not begun, and no run can be started any more because the study is closed.</source>
         <translation>%1: αυτή η συνθήκη δεν ξεκίνησε, και καμία εκτέλεση δεν μπορεί πια να ξεκινήσει, επειδή η μελέτη έχει κλείσει.</translation>
     </message>
     <message>
@@ -7104,11 +7104,11 @@ Details: %2</source>
         <translation>Οι απαντήσεις είναι πολύ λίγες για να μετρηθεί το κατώφλι.</translation>
     </message>
     <message>
-        <source>Copy the study and plan more trials: its page Expected precision shows with how many most runs give a value.</source>
+        <source>Copy the study and plan more trials: its page “Expected precision” shows how many trials most runs need to give a value.</source>
         <translation>Αντιγράψτε τη μελέτη και προβλέψτε περισσότερες δοκιμές: η σελίδα της «Αναμενόμενη ακρίβεια» δείχνει με πόσες οι περισσότερες εκτελέσεις δίνουν τιμή.</translation>
     </message>
     <message>
-        <source>How many participants are needed cannot be told from so few: the page Expected precision of the study tells it for the planned trials.</source>
+        <source>So few participants cannot show how many are needed: the study&apos;s page “Expected precision” shows it for the planned trials.</source>
         <translation>Από τόσο λίγους δεν προκύπτει πόσοι συμμετέχοντες χρειάζονται: το δείχνει η σελίδα «Αναμενόμενη ακρίβεια» της μελέτης για τις προβλεπόμενες δοκιμές.</translation>
     </message>
     <message>
@@ -7120,11 +7120,11 @@ Details: %2</source>
         <translation>περίπου %1</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in both conditions are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Αν η διασπορά των υπολοίπων είναι όπως αυτών, χρειάζονται %1 συμμετέχοντες και στις δύο συνθήκες, για να βρεθεί με ισχύ 80 % κλάσμα Weber %2 φορές το άλλο.</translation>
     </message>
     <message>
-        <source>If others scatter as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
+        <source>If other people vary as much as these do, %1 participants in each group are needed to find, with 80 % power, a Weber fraction that is %2 times the other.</source>
         <translation>Αν η διασπορά των υπολοίπων είναι όπως αυτών, χρειάζονται %1 συμμετέχοντες σε κάθε ομάδα, για να βρεθεί με ισχύ 80 % κλάσμα Weber %2 φορές το άλλο.</translation>
     </message>
     <message>
@@ -8494,7 +8494,7 @@ Administrators can make a recovery code for themselves here; with it they can se
         </translation>
     </message>
     <message>
-        <source>%1 s a trial</source>
+        <source>%1 s per trial</source>
         <translation>%1 s ανά δοκιμή</translation>
     </message>
     <message>
@@ -8978,7 +8978,7 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Καταγράφονται η ώρα και ένα άθροισμα ελέγχου (SHA-256) που δείχνει ποιο κείμενο διαβάσατε. Μπορείτε να αποσυρθείτε οποτεδήποτε.</translation>
     </message>
     <message>
-        <source>Tick the box first, once the participant agrees.</source>
+        <source>Once the participant agrees, tick the box first.</source>
         <translation>Τσεκάρετε πρώτα το πλαίσιο, όταν συμφωνήσει το άτομο που συμμετέχει.</translation>
     </message>
 </context>
@@ -9492,8 +9492,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Όνομα χρήστη, αν ο συμμετέχων έχει λογαριασμό εδώ (προαιρετικό)</translation>
     </message>
     <message>
-        <source>With it, an export or an erasure of this person&apos;s data also reaches what they do in this study. It is kept only in the key table; no list and no export of the study shows it.</source>
-        <translation>Με αυτό, μια εξαγωγή ή διαγραφή των δεδομένων αυτού του ατόμου περιλαμβάνει και όσα κάνει σε αυτή τη μελέτη. Φυλάσσεται μόνο στον πίνακα κλειδιών· δεν το δείχνει καμία λίστα και καμία εξαγωγή της μελέτης.</translation>
+        <source>With the login name, an export or erasure of this person&apos;s data also covers what they do in this study. The name is kept only in the key table; no list and no export of the study shows it.</source>
+        <translation>Με το όνομα χρήστη, μια εξαγωγή ή διαγραφή των δεδομένων αυτού του ατόμου περιλαμβάνει και όσα κάνει σε αυτή τη μελέτη. Φυλάσσεται μόνο στον πίνακα κλειδιών· δεν το δείχνει καμία λίστα και καμία εξαγωγή της μελέτης.</translation>
     </message>
     <message>
         <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
@@ -9704,9 +9704,9 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press &quot;Start&quot; (or Enter) to begin. Choose another level, or a device, if you want. &quot;Demonstrate&quot; lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+&quot;Hand and workspace&quot; sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Εδώ βλέπετε τι ζητά μια άσκηση, τι μετράται και πότε υπάρχει επιτυχία.
 
 Όλα είναι ήδη επιλεγμένα: πατήστε «Έναρξη» (ή Enter) για να ξεκινήσετε. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν εικονικό χειριστή· η συνεδρία του δεν μετράει για κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
@@ -10043,7 +10043,7 @@ Press again to end the trial without it.</source>
 
 Η «Δημιουργία κέντρου» φτιάχνει ένα κενό κέντρο σε αυτόν τον υπολογιστή και τον πρώτο διαχειριστή του, που μπορεί να προσθέσει τους υπόλοιπους. Διαρκεί περίπου ένα λεπτό.
 
-Το «Άνοιγμα κέντρου επίδειξης» φτιάχνει ένα ξεχωριστό κέντρο με επινοημένα άτομα και προσομοιωμένες συνεδρίες, για να δείτε το πρόγραμμα. Δεν επηρεάζει κέντρο που θα δημιουργηθεί αργότερα· η επιλογή αυτή εμφανίζεται σε κάθε εκκίνηση μέχρι τότε.</translation>
+Το «Άνοιγμα κέντρου επίδειξης» φτιάχνει ένα ξεχωριστό κέντρο με φανταστικά άτομα και προσομοιωμένες συνεδρίες, για να δείτε το πρόγραμμα. Δεν επηρεάζει κέντρο που θα δημιουργηθεί αργότερα· η επιλογή αυτή εμφανίζεται σε κάθε εκκίνηση μέχρι τότε.</translation>
     </message>
     <message>
         <source>The recovery code is not shown again. Write it down and tick the box first.</source>
@@ -10079,7 +10079,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Invented people and scripted sessions at every level. Creating them takes about a minute, only once.</source>
-        <translation>Επινοημένα άτομα και προσομοιωμένες συνεδρίες σε κάθε επίπεδο. Η δημιουργία διαρκεί περίπου ένα λεπτό, μία φορά.</translation>
+        <translation>Φανταστικά άτομα και προσομοιωμένες συνεδρίες σε κάθε επίπεδο. Η δημιουργία διαρκεί περίπου ένα λεπτό, μία φορά.</translation>
     </message>
     <message>
         <source>The site was not created.
@@ -10181,8 +10181,8 @@ Press again to end the trial without it.</source>
         <translation>Οριστικοποιήθηκε. Τώρα μπορούν να εγγραφούν συμμετέχοντες.</translation>
     </message>
     <message>
-        <source>I have seen what is worth a look and freeze it all the same</source>
-        <translation>Είδα όσα χρειάζονται προσοχή και οριστικοποιώ παρ’ όλα αυτά</translation>
+        <source>I have seen the points that are worth a look and freeze the design anyway</source>
+        <translation>Είδα τα σημεία που χρειάζονται προσοχή και οριστικοποιώ παρ’ όλα αυτά το σχέδιο</translation>
     </message>
     <message>
         <source>What is marked in red must be corrected first: after freezing, nobody can change it.</source>
@@ -10252,7 +10252,7 @@ Press again to end the trial without it.</source>
         <translation>Σκοπός και δεοντολογία</translation>
     </message>
     <message>
-        <source>How many people are to take part; the page Expected precision shows which difference this number can detect.</source>
+        <source>How many people are to take part; the page “Expected precision” shows which difference this number can detect.</source>
         <translation>Πόσα άτομα θα λάβουν μέρος· η σελίδα «Αναμενόμενη ακρίβεια» δείχνει ποια διαφορά μπορεί να ανιχνεύσει ο αριθμός αυτός.</translation>
     </message>
     <message>
@@ -11276,7 +11276,7 @@ Forgot your password? An administrator can give you a new one. Administrators ca
     <name>chiron::desktop::MainWindow</name>
     <message>
         <source>Demonstration site: invented people and scripted sessions. Do not record real training here.</source>
-        <translation>Κέντρο επίδειξης: επινοημένα άτομα και προγραμματισμένες συνεδρίες. Μην καταγράφετε εδώ πραγματική εκπαίδευση.</translation>
+        <translation>Κέντρο επίδειξης: φανταστικά άτομα και προσομοιωμένες συνεδρίες. Μην καταγράφετε εδώ πραγματική εκπαίδευση.</translation>
     </message>
     <message>
         <source>%1 - Chiron</source>
@@ -12834,8 +12834,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Ποσοστό των απρόσεκτων απαντήσεών τους.</translation>
     </message>
     <message>
-        <source>They call smaller differences equal; in standard deviations of what they feel.</source>
-        <translation>Μικρότερες διαφορές τις θεωρούν ίσες· σε τυπικές αποκλίσεις όσων αισθάνονται.</translation>
+        <source>Simulated observers call smaller differences equal; in standard deviations of what they feel.</source>
+        <translation>Μικρότερες διαφορές οι προσομοιωμένοι παρατηρητές τις θεωρούν ίσες· σε τυπικές αποκλίσεις όσων αισθάνονται.</translation>
     </message>
     <message>
         <source>More runs take longer and give more precise figures.</source>
@@ -13600,7 +13600,7 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     </message>
     <message>
         <source>%1 of %2; guessing gives 16.7 %.</source>
-        <translation>%1 από %2· στην τύχη 16,7 %.</translation>
+        <translation>%1 από %2· οι τυχαίες απαντήσεις δίνουν 16,7 %.</translation>
     </message>
     <message>
         <source>Kendall&apos;s τ</source>
@@ -13703,7 +13703,7 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     </message>
     <message>
         <source>%1 of %2; guessing gives 16.7 % or less.</source>
-        <translation>%1 από %2· στην τύχη 16,7 % ή λιγότερο.</translation>
+        <translation>%1 από %2· οι τυχαίες απαντήσεις δίνουν 16,7 % ή λιγότερο.</translation>
     </message>
     <message>
         <source>Bradley-Terry, ties by Davidson</source>
@@ -14607,7 +14607,7 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Να αγγιχτεί κάθε αντικείμενο</translation>
     </message>
     <message>
-        <source>An answer is taken only once each object was touched.</source>
+        <source>An answer is accepted only once each object has been touched.</source>
         <translation>Η απάντηση γίνεται δεκτή μόνο αφού αγγιχτεί κάθε αντικείμενο.</translation>
     </message>
     <message>
@@ -14623,8 +14623,8 @@ Press Enter or double-click to open an attempt. &quot;Export my data&quot; write
         <translation>Τι πρέπει να γίνει και πώς κρατιέται το εργαλείο. Παραλείψτε χρόνο, δοκιμές, ανατροφοδότηση και διαλείμματα: αυτές οι προτάσεις προκύπτουν από τις ρυθμίσεις και τους ταιριάζουν πάντα.</translation>
     </message>
     <message>
-        <source>These instructions were written before sentences were made from the settings. Remove what those say now.</source>
-        <translation>Οι οδηγίες αυτές γράφτηκαν πριν οι προτάσεις προκύπτουν από τις ρυθμίσεις. Αφαιρέστε όσα λένε πλέον εκείνες.</translation>
+        <source>These instructions were written before the program made sentences from the settings. Remove what those sentences now say.</source>
+        <translation>Οι οδηγίες αυτές γράφτηκαν πριν το πρόγραμμα αρχίσει να σχηματίζει προτάσεις από τις ρυθμίσεις. Αφαιρέστε όσα λένε πλέον αυτές οι προτάσεις.</translation>
     </message>
     <message>
         <source>What participants read</source>
@@ -14912,7 +14912,7 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>%1, για τη συνθήκη %2</translation>
     </message>
     <message>
-        <source>Consent is missing. Nothing can be begun before it is recorded.</source>
+        <source>Consent is missing. Nothing can start before it is recorded.</source>
         <translation>Λείπει η συγκατάθεση. Πριν καταγραφεί, τίποτα δεν μπορεί να αρχίσει.</translation>
     </message>
     <message>
@@ -15781,7 +15781,7 @@ Administrators also give the site its name here.</source>
     <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
 
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
+Force is computed a thousand times per second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
 The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. Each check is kept in the audit trail, and its record can be saved and filed: who, when, on which device and build, and each measured value beside its limit.
 
@@ -16033,7 +16033,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
 
 &quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
 
-&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+&quot;Automatic backups&quot; makes one per day and keeps as many as you say; backups that you made yourself are never removed.
 
 &quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
 
@@ -16112,7 +16112,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Κλείσιμο: %1;</translation>
     </message>
     <message>
-        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <source>No more participants can be enrolled and no more runs started; open runs can still be finished. This cannot be undone.</source>
         <translation>Δεν εγγράφονται άλλοι συμμετέχοντες και δεν αρχίζουν άλλες εκτελέσεις· οι ανοικτές μπορούν να τελειώσουν. Δεν αναιρείται.</translation>
     </message>
     <message>
@@ -16208,7 +16208,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>Start from a template and change it: a ranking of three, a staircase or constant stimuli.</source>
-        <translation>Ξεκινήστε από ένα πρότυπο και προσαρμόστε το: κατάταξη τριών, σκάλα ή σταθερά ερεθίσματα.</translation>
+        <translation>Ξεκινήστε από ένα πρότυπο και προσαρμόστε το: κατάταξη τριών, κλιμακωτή μέθοδο ή σταθερά ερεθίσματα.</translation>
     </message>
     <message>
         <source>none</source>
@@ -16430,7 +16430,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     <message>
         <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is missing where they cannot be compared.
+&quot;Group&quot; shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. &quot;Person&quot; shows the curve of a run with its data. &quot;Trials&quot; lists every presentation with its fidelity and says why one did not count. &quot;Questions&quot; summarises the questionnaires. &quot;Comparison&quot; sets the conditions beside each other, and says who or what is missing where they cannot be compared.
 
 You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
         <translation>Τα αποτελέσματα μιας μελέτης.
@@ -16461,7 +16461,7 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Ακύρωση</translation>
+        <translation>Άκυρο</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -16702,12 +16702,12 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+        <source>One study. While it is a draft, you can change everything. Go through the pages with &quot;Next&quot; and &quot;Back&quot;, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and a message under a field says what is wrong with it. Beside the pages you see what a participant will see.
 
-Conditions defines what is compared, with which task and procedure. Expected precision runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
-        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με Επόμενο και Πίσω ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
+&quot;Conditions&quot; defines what is compared, with which task and procedure. &quot;Expected precision&quot; runs the study with simulated observers and shows the expected precision, number of trials and time. &quot;Check and freeze&quot; says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με «Επόμενο» και «Πίσω» ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
 
-Οι Συνθήκες ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Αναμενόμενη ακρίβεια εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο Έλεγχος και οριστικοποίηση λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
+Οι «Συνθήκες» ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η «Αναμενόμενη ακρίβεια» εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο «Έλεγχος και οριστικοποίηση» λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
     </message>
     <message>
         <source>Expected precision</source>
@@ -16726,7 +16726,7 @@ Conditions defines what is compared, with which task and procedure. Expected pre
         <translation>Επόμενο: διόρθωση «%1»</translation>
     </message>
     <message>
-        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press Estimate the precision there to calculate it again.</source>
+        <source>The simulation was stopped because you left its page, and nothing of it was kept. Press “Estimate the precision” there to calculate it again.</source>
         <translation>Η προσομοίωση διακόπηκε, επειδή φύγατε από τη σελίδα της, και τίποτα δεν διατηρήθηκε. Πατήστε εκεί «Εκτίμηση της ακρίβειας», για να υπολογιστεί ξανά.</translation>
     </message>
     <message>
@@ -16887,7 +16887,7 @@ Conditions defines what is compared, with which task and procedure. Expected pre
 
 %1
 
-Stop force switches the force off at once and stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+&quot;Stop force&quot; switches the force off at once and stops the clock. &quot;Re-arm&quot; brings the force back slowly. &quot;Pause&quot; keeps everything as it is. &quot;Start again&quot; keeps the attempt so far as stopped and begins a new one from the start.
 
 %2</source>
         <translation>Εδώ εκπαιδεύεστε. Αριστερά βλέπετε τη σκηνή, δεξιά τις μετρήσεις, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
@@ -17490,7 +17490,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η τελευταία δοκιμή δεν μέτρησε. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
+        <source>The clock is stopped and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
     <message>
@@ -17605,7 +17605,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Συνέχεια (R)</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Continue to go on.</source>
+        <source>The clock is stopped and everything so far is kept. Press Continue to go on.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Συνέχεια» για να συνεχίσετε.</translation>
     </message>
     <message>
@@ -17757,7 +17757,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>You are touching the object. Move the handle to stroke it.</source>
-        <translation>Αγγίζετε το αντικείμενο. Μετακινήστε τη λαβή για να το τρίψετε.</translation>
+        <translation>Αγγίζετε το αντικείμενο. Μετακινήστε τη λαβή για να σύρετε το εργαλείο πάνω του.</translation>
     </message>
     <message>
         <source>Lift the object first.</source>
@@ -18032,7 +18032,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Τι δεν μετρά πια: οι απαντήσεις αυτού του ατόμου, και των ολοκληρωμένων εκτελέσεων. Δεν περιλαμβάνονται στις τιμές ομάδας και στις συγκρίσεις.</translation>
     </message>
     <message>
-        <source>What ends: an open run cannot be resumed, and no other can be begun. The place in the order of conditions is free for the next participant.</source>
+        <source>What ends: an open run cannot be resumed, and no other can be started. The place in the order of conditions is free for the next participant.</source>
         <translation>Τι τελειώνει: μια ανοιχτή εκτέλεση δεν μπορεί να συνεχιστεί, και καμία άλλη δεν μπορεί να αρχίσει. Η θέση στη σειρά των συνθηκών ελευθερώνεται για το επόμενο άτομο.</translation>
     </message>
     <message>
@@ -18291,7 +18291,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>DEMONSTRATION: invented people and results, not for assessment</source>
-        <translation>ΕΠΙΔΕΙΞΗ: επινοημένα άτομα και αποτελέσματα, όχι για αξιολόγηση</translation>
+        <translation>ΕΠΙΔΕΙΞΗ: φανταστικά άτομα και αποτελέσματα, όχι για αξιολόγηση</translation>
     </message>
     <message>
         <source>SIMULATED OPERATOR: a scripted hand, not a person</source>
@@ -18471,7 +18471,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     </message>
     <message>
         <source>faulted: the device or supervisor stopped it</source>
-        <translation>βλάβη: τη σταμάτησε η συσκευή ή ο επόπτης ασφαλείας</translation>
+        <translation>βλάβη: τη σταμάτησε η συσκευή ή ο επόπτης δύναμης</translation>
     </message>
     <message>
         <source>voided by a trainer</source>

@@ -352,10 +352,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>With only %n setting(s), the scatter is very uncertain.</source>
+        <source>With only %n setting(s), the spread of the settings is very uncertain.</source>
         <translation>
-            <numerusform>With only %n setting, the scatter is very uncertain.</numerusform>
-            <numerusform>With only %n settings, the scatter is very uncertain.</numerusform>
+            <numerusform>With only %n setting, the spread of the settings is very uncertain.</numerusform>
+            <numerusform>With only %n settings, the spread of the settings is very uncertain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

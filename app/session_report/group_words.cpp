@@ -70,8 +70,8 @@ QString openValue(const RolledPerson& person) {
         said << (person.answers > 0 && person.answers < psychophysics::kFewTrials
                      ? Words::tr("Fewer than 20 answers rarely measure a threshold.")
                      : Words::tr("There are too few answers to measure the threshold."));
-        said << Words::tr("Copy the study and plan more trials: its page Expected precision shows with how "
-                          "many most runs give a value.");
+        said << Words::tr("Copy the study and plan more trials: its page “Expected precision” shows how many "
+                          "trials most runs need to give a value.");
         break;
     case Remedy::unusedDifferences:
         said << (larger ? Words::tr("The study's table has larger differences, which were not presented. To "
@@ -97,7 +97,7 @@ QString openValue(const RolledPerson& person) {
 QString reason(const RolledPerson& person, bool closed) {
     switch (person.presence) {
     case Presence::notBegun:
-        return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more "
+        return closed ? Words::tr("%1: this condition was not begun, and no run can be started any more "
                                   "because the study is closed.")
                       : Words::tr("%1: this condition has not been begun. Begin it under Run.");
     case Presence::noAnswers:

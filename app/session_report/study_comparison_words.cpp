@@ -52,8 +52,8 @@ QString howManyAreNeeded(const psychophysics::ConditionComparison& weber, const 
     constexpr double kRatio = 1.5, kPower = 0.8;
     const int fewest = weber.paired ? weber.participants : std::min(weber.first, weber.second);
     if (fewest < 3 || psychophysics::isUnbounded(weber.ratio95))
-        return Words::tr("How many participants are needed cannot be told from so few: the page Expected "
-                         "precision of the study tells it for the planned trials.");
+        return Words::tr("So few participants cannot show how many are needed: the study's page “Expected "
+                         "precision” shows it for the planned trials.");
     const int freedom = weber.paired ? weber.participants - 1 : weber.first + weber.second - 2;
     const double error = (std::log10(weber.ratio95.high) - std::log10(weber.ratio95.low)) /
                          (2.0 * psychophysics::studentQuantile(0.975, freedom));
@@ -72,10 +72,12 @@ QString howManyAreNeeded(const psychophysics::ConditionComparison& weber, const 
     const QString number = needed < 0 ? Words::tr("more than %1").arg(locale.toString(1000))
                                       : Words::tr("about %1").arg(locale.toString(needed));
     return (weber.paired
-                ? Words::tr("If others scatter as these do, %1 participants in both conditions are needed to "
+                ? Words::tr("If other people vary as much as these do, %1 participants in both conditions "
+                            "are needed to "
                             "find, with 80 % power, a Weber fraction that is %2 times the other.")
-                : Words::tr("If others scatter as these do, %1 participants in each group are needed to "
-                            "find, with 80 % power, a Weber fraction that is %2 times the other."))
+                : Words::tr(
+                      "If other people vary as much as these do, %1 participants in each group are needed to "
+                      "find, with 80 % power, a Weber fraction that is %2 times the other."))
         .arg(number, ratio);
 }
 

@@ -107,7 +107,8 @@ QString ofNumbers(const Warning& warning) {
     case noSettings:
         return Words::tr("Nothing has been set yet, so there is no result.");
     case fewSettings:
-        return Words::tr("With only %n setting(s), the scatter is very uncertain.", nullptr, n);
+        return Words::tr("With only %n setting(s), the spread of the settings is very uncertain.", nullptr,
+                         n);
     case noSpread:
         return Words::tr("All settings are the same: the step of the adjustment may be too coarse.");
     case leftOutNumbers:

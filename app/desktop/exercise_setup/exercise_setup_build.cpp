@@ -116,12 +116,11 @@ QString ExerciseSetupScreen::title() const {
 
 QString ExerciseSetupScreen::help() const {
     return tr("Here you see what an exercise asks for, what is measured and when it is passed.\n\nEverything "
-              "is already chosen: press "
-              "Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets "
-              "you watch a scripted operator; "
+              "is already chosen: press \"Start\" (or Enter) to begin. Choose another level, or a device, if "
+              "you want. \"Demonstrate\" lets you watch a scripted operator; "
               "its session does not count for anyone. A file with a recorded movement can be replayed "
-              "through the same exercise.\n\nHand "
-              "and workspace sets which hand you work with, how far the tool moves when your hand moves, and "
+              "through the same exercise.\n\n\"Hand and workspace\" sets which hand you work with, how far "
+              "the tool moves when your hand moves, and "
               "where the middle of the field "
               "lies. A familiarisation is recorded, but never counted.");
 }

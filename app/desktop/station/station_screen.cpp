@@ -61,7 +61,7 @@ QString StationScreen::title() const {
 
 QString StationScreen::help() const {
     return tr("Shows whether this computer is fast and regular enough for haptic force.\n\nForce is computed "
-              "a thousand times a second. "
+              "a thousand times per second. "
               "The charts show how late those thousand steps began: in the last session that ran in real "
               "time, and in a self-test of ten "
               "seconds without any device.\n\nThe fingertip platform is verified as in its publication: how "

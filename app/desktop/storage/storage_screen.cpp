@@ -71,7 +71,7 @@ QString StorageScreen::help() const {
     return tr("Shows where all recorded data is kept and whether it is safe.\n\n\"Back up now\" makes a copy "
               "while the program is running "
               "and checks it before it counts. Keep backups on another disk: choose the folder "
-              "here.\n\n\"Automatic backups\" makes one a day and keeps as many as you say; backups "
+              "here.\n\n\"Automatic backups\" makes one per day and keeps as many as you say; backups "
               "that you made yourself are never removed.\n\n\"Verify\" reads everything again: "
               "each record, each recording, each score, the audit trail. It changes nothing and can be "
               "stopped.\n\n\"Restore\" goes back "

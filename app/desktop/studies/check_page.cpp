@@ -44,7 +44,7 @@ QWidget* CheckPage::pilotBox() {
         if (pilot.spoiled > 0)
             words << tr("%n repeated", nullptr, pilot.spoiled);
         if (pilot.scored > 0)
-            words << tr("%1 s a trial").arg(study_words::number(pilot.secondsPerTrial, locale, 2));
+            words << tr("%1 s per trial").arg(study_words::number(pilot.secondsPerTrial, locale, 2));
         auto* line = kit::label(theme, words.join(QStringLiteral(" · ")));
         line->setObjectName(QStringLiteral("check.pilot.row"));
         box.layout->addWidget(line);

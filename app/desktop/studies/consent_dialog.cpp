@@ -55,7 +55,7 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study,
     setAccept(tr("Record the consent"));
     connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
     const auto weigh = [this] {
-        setAcceptable(m_agreed->isChecked(), tr("Tick the box first, once the participant agrees."));
+        setAcceptable(m_agreed->isChecked(), tr("Once the participant agrees, tick the box first."));
     };
     connect(m_agreed, &QCheckBox::toggled, this, weigh);
     weigh();

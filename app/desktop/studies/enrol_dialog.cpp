@@ -29,11 +29,11 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
     m_account = form::textField(theme(), column(),
                                 tr("Login name, if the participant has an account here (optional)"),
                                 QStringLiteral("enrol.account"));
-    column()->addWidget(kit::label(theme(),
-                                   tr("With it, an export or an erasure of this person's data also reaches "
-                                      "what they do in this study. It is kept only in "
-                                      "the key table; no list and no export of the study shows it."),
-                                   TextStyle::small, "muted"));
+    column()->addWidget(kit::label(
+        theme(),
+        tr("With the login name, an export or erasure of this person's data also covers what they do in this "
+           "study. The name is kept only in the key table; no list and no export of the study shows it."),
+        TextStyle::small, "muted"));
     for (const psychophysics::Questionnaire& questionnaire : study.design.questionnaires)
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
             addFields(questionnaire);

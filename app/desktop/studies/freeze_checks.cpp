@@ -269,7 +269,7 @@ FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, 
                ? found(check, State::good, words)
                : found(check, State::advice,
                        words + QLatin1Char(' ') +
-                           CheckWords::tr("More trials make it more precise; the page Expected precision "
+                           CheckWords::tr("More trials make it more precise; the page “Expected precision” "
                                           "shows how many."));
 }
 

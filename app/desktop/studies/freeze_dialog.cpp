@@ -38,7 +38,7 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
         tr("What is marked in red must be corrected first: after freezing, nobody can change it."));
     m_cannot->setObjectName(QStringLiteral("freeze.cannot"));
     column()->addWidget(m_cannot);
-    m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));
+    m_seen = new QCheckBox(tr("I have seen the points that are worth a look and freeze the design anyway"));
     m_seen->setObjectName(QStringLiteral("freeze.seen"));
     m_seen->setFont(theme().font(TextStyle::body));
     // The row stands above the buttons, visible however long the list is.

@@ -95,7 +95,7 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
                 });
     constexpr UsualNumber kParticipants{1, 100000, 12};
     grid->explain(QStringLiteral("design.planned"),
-                  tr("How many people are to take part; the page Expected precision shows which difference "
+                  tr("How many people are to take part; the page “Expected precision” shows which difference "
                      "this number can detect."),
                   kParticipants);
     addAim(*grid, page);

@@ -102,7 +102,7 @@ QString timeWords(const ParticipantView& view, const QLocale& locale) {
         return CardWords::tr("no limit");
     const QString explore = locale.toString(view.explore_s, 'g', 6);
     if (std::all_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); }))
-        return CardWords::tr("%1 s a trial").arg(explore);
+        return CardWords::tr("%1 s per trial").arg(explore);
     return view.answer_s > 0.0 ? CardWords::tr("%1 s to explore, then %2 s to answer")
                                      .arg(explore, locale.toString(view.answer_s, 'g', 6))
                                : CardWords::tr("%1 s to explore, no limit to answer").arg(explore);

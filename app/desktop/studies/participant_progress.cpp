@@ -162,7 +162,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
         return ParticipantProgress::tr(
             "Bring the study back from the archive before this participant goes on.");
     if (row.participant.state == ParticipantState::enrolled)
-        return ParticipantProgress::tr("Record the consent. Then the first condition can be begun.");
+        return ParticipantProgress::tr("Record the consent. Then the first condition can begin.");
     const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
     const auto name = [&](const ConditionProgress& each) {
         return conditionName(study, each.label, language);
@@ -180,7 +180,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
             if (!each.closed)
                 return ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
             const QString closed =
-                ParticipantProgress::tr("“%1” can no longer be begun, because the study is "
+                ParticipantProgress::tr("“%1” can no longer be started, because the study is "
                                         "closed. The conditions that are done count.")
                     .arg(name(each));
             return isWaiting(study, row)

@@ -142,8 +142,8 @@ QWidget* PreviewPage::observerGrid() {
         })) {
         grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties,
                      {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
-        grid->explain(QStringLiteral("preview.ties"),
-                      tr("They call smaller differences equal; in standard deviations of what they feel."));
+        grid->explain(QStringLiteral("preview.ties"), tr("Simulated observers call smaller differences "
+                                                         "equal; in standard deviations of what they feel."));
     }
     grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000,
                 [this](int now) { m_runs = now; });

@@ -191,7 +191,7 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
                  tr("Objects are drawn, all alike, so that only touch tells them apart."));
     if (compares)
         fields.check(tr("Every object must be touched"), "must_touch_all", &TrialRules::mustTouchAll,
-                     tr("An answer is taken only once each object was touched."));
+                     tr("An answer is accepted only once each object has been touched."));
     if (compares)
         fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N,
                       {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
@@ -227,9 +227,10 @@ QWidget* RulesPage::instructionsBox(const DesignPage& page) {
     if (!page.readOnly)
         box.layout->addWidget(claimsNotice(page, FalseClaim::Where::instructions));
     if (!page.readOnly && !page.draft.design().ownInstructions)
-        box.layout->addWidget(kit::notice(theme, "info",
-                                          tr("These instructions were written before sentences were made "
-                                             "from the settings. Remove what those say now.")));
+        box.layout->addWidget(
+            kit::notice(theme, "info",
+                        tr("These instructions were written before the program made sentences from the "
+                           "settings. Remove what those sentences now say.")));
     box.layout->addWidget(kit::label(theme, tr("What participants read"), TextStyle::label));
     const kit::Box shown = kit::box(theme, "raised");
     auto* words = kit::label(theme, {}, TextStyle::body);

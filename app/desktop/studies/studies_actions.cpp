@@ -129,7 +129,7 @@ void StudiesScreen::close() {
                                 QMessageBox::NoButton, window());
     box->setObjectName(QStringLiteral("studies.ask_close"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(tr("No more participants can be enrolled and no more runs begun; open runs can "
+    box->setInformativeText(tr("No more participants can be enrolled and no more runs started; open runs can "
                                "still be finished. This cannot be undone."));
     QPushButton* keep = box->addButton(tr("Keep it open"), QMessageBox::RejectRole);
     QPushButton* end = box->addButton(tr("Close the study"), QMessageBox::DestructiveRole);

@@ -87,15 +87,14 @@ QString StudyScreen::title() const {
 }
 
 QString StudyScreen::help() const {
-    return tr("One study. While it is a draft, you can change everything. Go through the pages with Next and "
-              "Back, or jump to one by its "
-              "name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said "
-              "under its field. Beside the pages "
-              "stands what a participant will meet.\n\nConditions defines what is compared, with which task "
-              "and procedure. Expected precision runs the "
+    return tr("One study. While it is a draft, you can change everything. Go through the pages with \"Next\" "
+              "and \"Back\", or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a "
+              "step, and a message under a field says what is wrong with it. Beside the pages you see what a "
+              "participant will see.\n\n\"Conditions\" defines what is compared, with which task and "
+              "procedure. \"Expected precision\" runs the "
               "study with simulated observers and shows the expected precision, number of trials and time. "
-              "Check and freeze says what is "
-              "missing, lets somebody try the design as a pilot, and freezes it permanently under its "
+              "\"Check and freeze\" says what is missing, lets somebody try the design as a pilot, and "
+              "freezes it permanently under its "
               "SHA-256; participants can be enrolled "
               "from then on, under random codes, with their consent.");
 }
@@ -470,7 +469,7 @@ void StudyScreen::showPage() {
 void StudyScreen::sayPreviewEnds() {
     if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
         context().messages().information(tr("The simulation was stopped because you left its page, and "
-                                            "nothing of it was kept. Press Estimate the precision there to "
+                                            "nothing of it was kept. Press “Estimate the precision” there to "
                                             "calculate it again."));
 }
 

@@ -26,8 +26,9 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
            "the participant wants it (below)."));
     say("withdraw.counts", tr("What no longer counts: this participant's answers, also those of finished "
                               "runs. They are left out of group values and comparisons."));
-    say("withdraw.ends", tr("What ends: an open run cannot be resumed, and no other can be begun. The place "
-                            "in the order of conditions is free for the next participant."));
+    say("withdraw.ends",
+        tr("What ends: an open run cannot be resumed, and no other can be started. The place "
+           "in the order of conditions is free for the next participant."));
     m_erase = new QCheckBox(tr("The participant wants the recordings erased"));
     m_erase->setObjectName(QStringLiteral("withdraw.erase"));
     m_erase->setFont(theme().font(TextStyle::body));

@@ -48,18 +48,21 @@ QString StudyDataScreen::title() const {
 }
 
 QString StudyDataScreen::help() const {
-    return tr("The results of a study.\n\nGroup shows each participant's Weber fraction with its interval "
-              "for every condition, and any "
-              "warnings. Person shows the curve of a run with its data. Trials lists every presentation with "
-              "its fidelity and says why one "
-              "did not count. Questions summarises the questionnaires. Comparison sets the conditions beside "
-              "each other, and says who or what is "
-              "missing where they cannot be compared.\n\nYou can export tables (CSV), a BIDS dataset or a "
-              "PDF; each "
-              "contains the design's SHA-256. While the experimenter is blind, conditions are shown by "
-              "sealed codes, and of their runs you "
-              "see only how well each participant's trials went. Unblinding asks for a reason, is recorded "
-              "and cannot be undone.");
+    return tr(
+        "The results of a study.\n\n\"Group\" shows each participant's Weber fraction with its interval "
+        "for every condition, and any "
+        "warnings. \"Person\" shows the curve of a run with its data. \"Trials\" lists every presentation "
+        "with "
+        "its fidelity and says why one "
+        "did not count. \"Questions\" summarises the questionnaires. \"Comparison\" sets the conditions "
+        "beside "
+        "each other, and says who or what is "
+        "missing where they cannot be compared.\n\nYou can export tables (CSV), a BIDS dataset or a "
+        "PDF; each "
+        "contains the design's SHA-256. While the experimenter is blind, conditions are shown by "
+        "sealed codes, and of their runs you "
+        "see only how well each participant's trials went. Unblinding asks for a reason, is recorded "
+        "and cannot be undone.");
 }
 
 void StudyDataScreen::enter() {

@@ -264,7 +264,7 @@ QWidget* RunScreen::participantBox() {
     box.layout->addWidget(kit::label(theme, m_participant, TextStyle::heading));
     if (row->participant.state == database::ParticipantState::enrolled) {
         box.layout->addWidget(kit::notice(
-            theme, "warning", tr("Consent is missing. Nothing can be begun before it is recorded.")));
+            theme, "warning", tr("Consent is missing. Nothing can start before it is recorded.")));
         auto* consent =
             kit::button(theme, tr("Record the consent …"), "primary", QStringLiteral("document-edit"));
         consent->setObjectName(QStringLiteral("run.consent"));

@@ -142,7 +142,7 @@ QString letGoSentence(Attribute attribute, const StudyHand& hand, const LetGo& l
                                "the object stands on the table, and at least %1 mm further. Then raise the "
                                "tool: the object stays there.")
                          .arg(millimetres(letGo.press_m, locale))
-                   : Words::tr("To put the object down, lower it onto the table and press it on with at "
+                   : Words::tr("To put the object down, lower it onto the table and press it down with at "
                                "least %1 N. Then raise the handle: the object stays there.")
                          .arg(pressNewtons(locale));
     if (!letGo.drawn)

@@ -478,7 +478,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
 /// Why the supervisor removed force although nobody stopped it.
 QString TrialsScreen::stoppedText() const {
     const haptics::DisplayState& state = m_live->training().display().latest();
-    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc "
+    const QString kept = tr("The clock is stopped and everything so far is kept. Press R to go on, or Esc "
                             "to stop the session.");
     if (state.force != core::ForceState::fault)
         return kept;
@@ -553,7 +553,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         break;
     case State::paused:
         m_break->say(tr("Paused"),
-                     tr("The clock stands still and everything so far is kept. Press Continue to go on."),
+                     tr("The clock is stopped and everything so far is kept. Press Continue to go on."),
                      tr("Continue (Enter)"));
         break;
     default:

@@ -380,10 +380,10 @@ QString TrainingScreen::help() const {
                                       : tr("After the last trial the debrief opens by itself.");
     return tr("This is where you train. The scene is on the left, the measurements are on the right and the "
               "controls are below. Each level "
-              "shows only what belongs to it; what is hidden is still recorded.\n\n%1\n\nStop force switches "
-              "the force off at once and "
-              "stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start "
-              "again keeps the attempt so far "
+              "shows only what belongs to it; what is hidden is still recorded.\n\n%1\n\n\"Stop force\" "
+              "switches the force off at once and "
+              "stops the clock. \"Re-arm\" brings the force back slowly. \"Pause\" keeps everything as it "
+              "is. \"Start again\" keeps the attempt so far "
               "as stopped and begins a new one from the start.\n\n%2")
         .arg(keysText(), end);
 }

@@ -122,21 +122,22 @@ std::vector<MetricDefinition> palpationSearchMetrics() {
                             "mean over the trials.",
               .source = "models.md §6 (area covered)",
               .measure = measureCoverage});
-    rows.add({.id = "force_band_time",
-              .unit = "%",
-              .direction = Direction::higherIsBetter,
-              .wrench = MetricWrench::tissue,
-              .aggregate = Aggregate::pooled,
-              .tools = MetricTools::all,
-              .needsForces = true,
-              .title = QT_TRANSLATE_NOOP("Metrics", "Time in the force band"),
-              .meaning = QT_TRANSLATE_NOOP(
-                  "Metrics", "How much of the pressing time the force was neither too low nor too high."),
-              .definition = "Share of the pressing time (over 0.02 N, each finger's own, added up) for which "
-                            "|f| of that finger was within the "
-                            "level's force band, both ends included, each sample held until the next.",
-              .source = "models.md §6; our definition",
-              .measure = measureForceBandTime});
+    rows.add(
+        {.id = "force_band_time",
+         .unit = "%",
+         .direction = Direction::higherIsBetter,
+         .wrench = MetricWrench::tissue,
+         .aggregate = Aggregate::pooled,
+         .tools = MetricTools::all,
+         .needsForces = true,
+         .title = QT_TRANSLATE_NOOP("Metrics", "Time in the force band"),
+         .meaning = QT_TRANSLATE_NOOP(
+             "Metrics", "During how much of the pressing time the force was neither too low nor too high."),
+         .definition = "Share of the pressing time (over 0.02 N, each finger's own, added up) for which "
+                       "|f| of that finger was within the "
+                       "level's force band, both ends included, each sample held until the next.",
+         .source = "models.md §6; our definition",
+         .measure = measureForceBandTime});
     rows.add({.id = "pressing_time",
               .unit = "s",
               .direction = Direction::neutral,

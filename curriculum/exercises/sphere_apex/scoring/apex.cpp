@@ -119,8 +119,7 @@ std::vector<MetricDefinition> apexMetrics() {
          .titleOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
          .meaningOfOneTrial =
              QT_TRANSLATE_NOOP("Metrics", "How far the mark lay from the highest point, in % of the radius, "
-                                          "on average left to right and front to "
-                                          "back."),
+                                          "averaged over left–right and front–back."),
          .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
          .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, "
                        "misses included.",
