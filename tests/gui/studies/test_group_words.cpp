@@ -538,7 +538,7 @@ void TestGroupWords::whatATooSmallStudyNeedsIsSaid() {
         compared.weber.participants = compared.weber.first = compared.weber.second = people;
         return verdictOf(compared);
     };
-    QVERIFY2(of(2, 0.55, 2.2).contains(QStringLiteral("cannot be told from so few")),
+    QVERIFY2(of(2, 0.55, 2.2).contains(QStringLiteral("cannot show how many are needed")),
              qPrintable(of(2, 0.55, 2.2)));
     const auto needed = [&](int people, double low, double high) {
         static const QRegularExpression kNumber(QStringLiteral("about (\\d+) participants in both"));
