@@ -9335,8 +9335,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         </translation>
     </message>
     <message>
-        <source>This level takes %1 devices, and %2 is connected. Connect the other one, then open this screen again.</source>
-        <translation>Diese Stufe braucht %1 Geräte, und %2 ist angeschlossen. Schließen Sie das fehlende Gerät an, und öffnen Sie diese Ansicht dann erneut.</translation>
+        <source>This level takes %1 devices. Connect %2 more, then open this screen again.</source>
+        <translation>Diese Stufe braucht %1 Geräte. Schließen Sie noch %2 an, und öffnen Sie diese Ansicht dann erneut.</translation>
     </message>
     <message>
         <source>Device</source>

@@ -9335,8 +9335,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         </translation>
     </message>
     <message>
-        <source>This level takes %1 devices, and %2 is connected. Connect the other one, then open this screen again.</source>
-        <translation>Αυτό το επίπεδο χρειάζεται %1 συσκευές και είναι συνδεδεμένη %2. Συνδέστε αυτή που λείπει και ανοίξτε ξανά αυτή την οθόνη.</translation>
+        <source>This level takes %1 devices. Connect %2 more, then open this screen again.</source>
+        <translation>Αυτό το επίπεδο χρειάζεται %1 συσκευές. Συνδέστε %2 ακόμη και ανοίξτε ξανά αυτή την οθόνη.</translation>
     </message>
     <message>
         <source>Device</source>

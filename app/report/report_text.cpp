@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report_text.h"
 
+#include "scoring/score_card.h"
+
 #include <QTimeZone>
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,7 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
                      QStringLiteral("%")));
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
-    if (row.gateMinimum && *row.gateMinimum >= 100.0 && row.unit == QLatin1String("%")) // nothing is more
+    if (row.gateMinimum && scoring::asksForAll(*row.gateMinimum, row.unit.toStdString()))
         return withUnit(formatNumber(*row.gateMinimum, row.unit, locale), row.unit);
     if (row.gateMinimum)
         return withUnit(QStringLiteral("≥ ") + formatNumber(*row.gateMinimum, row.unit, locale), row.unit);

@@ -16,7 +16,7 @@ namespace chiron::session {
 
 namespace {
 
-/// Where nothing else went wrong, a force is worth a look from this share of the level's limit on.
+/// Assumption: where nothing else went wrong, a force is worth a look from this share of the limit on.
 constexpr double kNearLimit = 0.8;
 
 std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {

@@ -53,9 +53,11 @@ constexpr Fixed kFixed[] = {
     {"damping_Ns_per_m", &Object::damping_Ns_per_m},
 };
 
-/// 37°: a hand that comes from the side, where nothing is compared, meets 1.6 times the stiffness of the top.
-/// It is about as steep as the roughest pads, so that one bound of the load holds for both (load_N).
+/// Assumption, 37°: a hand that comes from the side, where nothing is compared, meets 1.6 times the stiffness
+/// of the top, and two pads do not act together above 7 mm below it. Steeper edges are stiffer, and flatter
+/// ones meet earlier.
 constexpr double kPadSlope = 0.75;
+/// Of a stored session; a hundred times the stiffness of the top is no pad any more.
 constexpr double kSteepestPad = 10.0;
 
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass",     "deformation",

@@ -15,6 +15,11 @@ struct Gate {
     std::optional<double> maximum;
 };
 
+/// Whether a gate's minimum asks for everything, of which there is no more: people are not told "at least".
+inline bool asksForAll(double minimum, std::string_view unit) {
+    return unit == "%" && minimum >= 100.0;
+}
+
 struct MetricValue {
     std::string id;
     int version = 1;

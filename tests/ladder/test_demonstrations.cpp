@@ -3,6 +3,7 @@
 #include "ladder/ladder.h"
 
 #include "session/exercise_kind.h"
+#include "support/level_rows.h"
 
 #include <QtTest>
 
@@ -19,12 +20,7 @@ private:
 };
 
 void TestDemonstrations::everyLevelIsPassed_data() {
-    QTest::addColumn<QString>("exercise");
-    QTest::addColumn<int>("number");
-    for (const catalogue::Exercise& exercise : m_catalogue.exercises())
-        for (const catalogue::ExerciseLevel& level : exercise.levels)
-            QTest::newRow((exercise.id + "_" + std::to_string(level.number)).c_str())
-                << QString::fromStdString(exercise.id) << level.number;
+    tests::addLevelRows(m_catalogue);
 }
 
 void TestDemonstrations::everyLevelIsPassed() {

@@ -5,6 +5,7 @@
 // `operator_ladder table` prints the page's table from what is kept.
 #include "ladder/ladder.h"
 #include "ladder/ladder_store.h"
+#include "support/level_rows.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -88,12 +89,7 @@ tests::LadderSettings TestOperatorLadder::settings() {
 }
 
 void TestOperatorLadder::everyLevel_data() {
-    QTest::addColumn<QString>("exercise");
-    QTest::addColumn<int>("number");
-    for (const catalogue::Exercise& exercise : m_catalogue.exercises())
-        for (const catalogue::ExerciseLevel& level : exercise.levels)
-            QTest::newRow((exercise.id + "/" + std::to_string(level.number)).c_str())
-                << QString::fromStdString(exercise.id) << level.number;
+    tests::addLevelRows(m_catalogue);
 }
 
 void TestOperatorLadder::everyLevel() {

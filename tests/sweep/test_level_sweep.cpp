@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "session/study/study_setup.h"
 #include "simulation/geometry/mesh/make_mesh.h"
+#include "support/level_rows.h"
 #include "sweep/level_sweep.h"
 #include "sweep/sweep_facts.h"
 #include "sweep/triangle_distance.h"
@@ -82,12 +83,7 @@ void TestLevelSweep::initTestCase() {
 }
 
 void TestLevelSweep::levels() {
-    QTest::addColumn<QString>("exercise");
-    QTest::addColumn<int>("number");
-    for (const catalogue::Exercise& exercise : m_catalogue.exercises())
-        for (const catalogue::ExerciseLevel& level : exercise.levels)
-            QTest::newRow((exercise.id + "_" + std::to_string(level.number)).c_str())
-                << QString::fromStdString(exercise.id) << level.number;
+    tests::addLevelRows(m_catalogue);
 }
 
 /// What is felt side by side in a study. Those that look for the apex are a level of sphere_apex.

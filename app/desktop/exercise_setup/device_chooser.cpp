@@ -44,6 +44,8 @@ const devices::ForceMaps* forceMapsOf(const session::ExerciseKind* kind) {
 QString nameOf(const devices::FoundDevice& found) {
     const QString model = QString::fromStdString(found.model),
                   serial = QString::fromStdString(found.serialNumber);
+    if (model.isEmpty()) // the maker gave it none
+        return QString::fromStdString(found.address);
     return serial.isEmpty() ? model : DeviceChooser::tr("%1, serial number %2").arg(model, serial);
 }
 
@@ -317,9 +319,8 @@ QString DeviceChooser::hindrance() const {
     if (!offered().connected())
         return {};
     if (const int found = static_cast<int>(offered().found.size()); found < m_tools)
-        return tr("This level takes %1 devices, and %2 is connected. Connect the other one, then open this "
-                  "screen again.")
-            .arg(m_context.locale().toString(m_tools), m_context.locale().toString(found));
+        return tr("This level takes %1 devices. Connect %2 more, then open this screen again.")
+            .arg(m_context.locale().toString(m_tools), m_context.locale().toString(m_tools - found));
     if (chosenAddresses().removeDuplicates() > 0)
         return tr("Choose a different device for each instrument.");
     return {};

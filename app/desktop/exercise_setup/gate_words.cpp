@@ -68,8 +68,7 @@ QString gateInWords(const scoring::Gate& gate, const QLocale& locale, int trials
     if (gate.minimum && gate.maximum)
         return GateTexts::tr("%1: from %2 to %3")
             .arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));
-    if (gate.minimum && *gate.minimum >= 100.0 &&
-        unit == "%") { // more is impossible, so this is no "at least"
+    if (gate.minimum && scoring::asksForAll(*gate.minimum, unit)) {
         const QString wholly = session_report::metricWholly(QString::fromStdString(gate.metric));
         if (wholly.isEmpty())
             return GateTexts::tr("%1: %2").arg(title, withUnit(*gate.minimum, unit, locale));

@@ -16,8 +16,8 @@ namespace chiron::desktop {
 /// and their replay know nothing of it. Thread: GUI.
 class EarlyMarks {
 public:
-    static constexpr std::int64_t kWait_ms = 500; ///< longer than a double click
-    /// A hand that presses twice moves less than this, and one that looks for a place moves more.
+    static constexpr std::int64_t kWait_ms = 500; ///< longer than a double click (400 ms in Qt)
+    /// Assumption: a hand that presses twice moves less than this, and one that looks for a place moves more.
     static constexpr double kMoved_m = 0.003;
 
     void wentOn(std::int64_t now_ms); ///< the person has started the session, or left a pause

@@ -158,7 +158,7 @@ ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v,
     out.energy_J = contact.energy_J;
     out.damping_Ns_per_m = contact.damping_Ns_per_m;
     out.stiffness_N_per_m = contact.stiffness_N_per_m;
-    if (bounded) // of the energy's second derivative: k ∇d ∇dᵀ + F ∇∇d
+    if (bounded) // of the smooth surface's second derivative of energy: k ∇d ∇dᵀ + F ∇∇d
         out.stiffness_N_per_m = contact.stiffness_N_per_m * place.depthGradient.squaredNorm() +
                                 contact.normalForce_N * top.turn_per_m;
     if (bounded && m_steepest > 1.0) // the slope differs where the energy does not

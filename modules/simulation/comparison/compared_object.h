@@ -66,7 +66,7 @@ public:
     /// Out of contact, so that it can be changed unfelt.
     bool free() const noexcept { return !m_touching && !m_held; }
     bool held() const noexcept { return m_held; } ///< by the tool
-    /// How many times that force the pad's own may be, because it is rough; 1: smooth.
+    /// How many times the root of ComparedResponse::load_N2 the force of rough pads may be; 1: smooth.
     double steepest() const noexcept { return m_steepest; }
 
     /// Advances by one tick with the tool at `p`, moving with `v` (W, finite). `mostDamping_Ns_per_m` is the

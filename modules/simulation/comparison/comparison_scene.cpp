@@ -101,7 +101,11 @@ void ComparisonScene::setPlaces(bool onlyChanged) noexcept {
         else
             m_objects[i].clear();
     }
-    m_steepest = 1.0; // the same for all, so that the load follows from the energy wherever the tool is
+    // The same for all, so that the load follows from the energy wherever the tool is. It stays as it is
+    // while a pad is touched, because the force would jump.
+    if (std::ranges::any_of(m_objects, [](const auto& object) { return object.present() && !object.free(); }))
+        return;
+    m_steepest = 1.0;
     for (const ComparedObject& object : m_objects)
         m_steepest = std::max(m_steepest, object.present() ? object.steepest() : 1.0);
 }
@@ -184,8 +188,9 @@ bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const no
 }
 
 /// Bound on the force of rough pads that have stored as much energy as a smooth one at `force_N`. It rises
-/// above that force only where more is pressed than can be felt, from 1.25 to twice the cap, so that
-/// roughness is felt unchanged below; beyond, no force is larger, and a cap on it makes no energy.
+/// above that force only where more is pressed than can be felt, from 1.25 to twice the cap (assumptions:
+/// beyond the cap, and before pads act together), so that roughness is felt unchanged below; beyond, no force
+/// is larger, and a cap on it makes no energy.
 double ComparisonScene::boundOn(double force_N) const noexcept {
     constexpr double kFrom = 1.25, kTo = 2.0;
     const double t = std::clamp((force_N / m_parameters.maximumForce_N - kFrom) / (kTo - kFrom), 0.0, 1.0);

@@ -367,7 +367,6 @@ void TestReadyCard::theMovementsAreThoseOfTheDeviceInHand() {
                  .contains(QStringLiteral("Change")));
 }
 
-/// On the card of every level on which one hand moves several instruments or fingers of both hands.
 /// By mouse and keys the jaw stays where it was let go; a grip that closes and opens says so itself.
 void TestReadyCard::thatTheJawStaysIsOnTheCard() {
     using devices::HandKind;
@@ -384,6 +383,7 @@ void TestReadyCard::thatTheJawStaysIsOnTheCard() {
             !closes(HandKind::handle).contains(QStringLiteral("stays")));
 }
 
+/// On the card of every level on which one hand moves several instruments or fingers of both hands.
 void TestReadyCard::howToChangeTheInstrumentIsOnTheCard() {
     TrainingBench bench;
     int several = 0;

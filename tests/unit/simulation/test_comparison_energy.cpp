@@ -68,6 +68,7 @@ private slots:
     void aBoundedPadIsAPotentialToItsEdges();
     void aPadIsNoSteeperThanStated();
     void theLoadFollowsFromTheEnergy();
+    void theLoadOfATouchedPadStays();
 };
 
 void TestComparisonEnergy::noStepOverAnyEdge_data() {
@@ -189,6 +190,7 @@ void TestComparisonEnergy::aBoundedPadIsAPotentialToItsEdges() {
         most_N = std::max(most_N, force.norm());
     }
     QVERIFY(most_N > 20.0);
+    // The differences themselves err by a sixth of the step squared times U''', about 1e-5 N.
     QVERIFY2((worst_N < 1e-4) == potential, qPrintable(QString::number(worst_N)));
 }
 
@@ -239,6 +241,25 @@ void TestComparisonEnergy::theLoadFollowsFromTheEnergy() {
     QVERIFY(shallow > 500 && deep > 500);
     RoughPads before(0.0); // in sessions of earlier versions there is none
     QCOMPARE(at(before, before.at(1, -0.003)).load_N[0], 0.0);
+}
+
+/// In an adjustment another pad gets rougher while this one is pressed: what is felt of it must not jump.
+void TestComparisonEnergy::theLoadOfATouchedPadStays() {
+    ComparisonParameters p = lossless(ComparedAttribute::roughness);
+    p.padSlope = 0.75;
+    p.adjusts = true;
+    const double value = p.values[0][0];
+    p.values.push_back({value, 8.0 * value, 9.0 * value});
+    ComparisonDriver d(p);
+    d.startRunning();
+    const Vec3 pressed = d.at(0, -0.025); // 10 N: more than twice the cap
+    const double load_N = at(d, pressed).load_N[0];
+    QVERIFY(load_N > 2.0 * p.maximumForce_N);
+    d.present(2, 0);
+    QCOMPARE(at(d, pressed).load_N[0], load_N);
+    at(d, d.at(0, 0.05)); // let go of, so that the new pads are there
+    at(d, d.at(0, 0.05));
+    QVERIFY(at(d, pressed).load_N[0] > 1.2 * load_N);
 }
 
 QTEST_APPLESS_MAIN(TestComparisonEnergy)
